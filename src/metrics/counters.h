@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+namespace hlodbench {
+
+// What is logged for every frame. To add a counter, add a line here and the same line to
+// kCounterTable: CSV headers, JSON, printed tables, `hlodbench list` and comparisons follow.
+enum class Counter : std::size_t {
+  kDn,
+  kRarn,
+  kD,
+  kDelays,
+  kQueries,
+  kTriangles,
+  kNodesVisited,
+  kFrameMs,
+  kCpuMs,
+  kWaitMs,
+  kGpuMs,
+  kCount
+};
+
+enum class Better { kLower, kHigher, kNeither };
+enum class Exactness {
+  kExact,  // the same in every run with a fixed latency, on one driver
+  kNoisy   // a timing
+};
+
+struct CounterInfo {
+  Counter counter;
+  std::string_view key;          // in CSV and JSON
+  std::string_view label;        // in printed tables
+  std::string_view unit;         // "" for plain counts
+  Better better;
+  Exactness exactness;
+  std::string_view description;  // one line
+};
+
+inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::kCount);
+
+inline constexpr std::array<CounterInfo, kCounterCount> kCounterTable{{
+    {Counter::kDn, "dn", "DN", "", Better::kLower, Exactness::kExact,
+     "drawn nodes: draw calls for node geometry, parents of RARN included (paper, Table 1)"},
+    {Counter::kRarn, "rarn", "RARN", "", Better::kLower, Exactness::kExact,
+     "nodes rendered and then refined in the same frame (paper, Table 1)"},
+    {Counter::kD, "d", "D", "", Better::kLower, Exactness::kExact,
+     "nodes delayed and then drawn at that node (paper, Table 1)"},
+    {Counter::kDelays, "delays", "delays", "", Better::kLower, Exactness::kExact,
+     "all nodes delayed, drawn or not"},
+    {Counter::kQueries, "queries", "queries", "", Better::kLower, Exactness::kExact,
+     "occlusion queries issued"},
+    {Counter::kTriangles, "triangles", "triangles", "", Better::kLower, Exactness::kExact,
+     "triangles drawn"},
+    {Counter::kNodesVisited, "nodes_visited", "visited", "", Better::kLower, Exactness::kExact,
+     "nodes taken from the priority queue"},
+    {Counter::kFrameMs, "frame_ms", "frame", "ms", Better::kLower, Exactness::kNoisy,
+     "time from this frame's start to the next one's"},
+    {Counter::kCpuMs, "cpu_ms", "CPU", "ms", Better::kLower, Exactness::kNoisy,
+     "processor time of the traversing thread"},
+    {Counter::kWaitMs, "wait_ms", "wait", "ms", Better::kLower, Exactness::kNoisy,
+     "time blocked on query results"},
+    {Counter::kGpuMs, "gpu_ms", "GPU", "ms", Better::kLower, Exactness::kNoisy,
+     "time between the frame's first and last GPU timestamp, where timer queries exist"},
+}};
+
+// One frame's values. A counter that a strategy or a driver does not have is absent (NaN), not 0.
+class FrameRecord {
+ public:
+  FrameRecord() { values_.fill(std::numeric_limits<double>::quiet_NaN()); }
+  [[nodiscard]] double get(Counter c) const { return values_[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] bool has(Counter c) const { return !std::isnan(get(c)); }
+  void set(Counter c, double value) { values_[static_cast<std::size_t>(c)] = value; }
+
+  int frame = 0;         // index into the session
+  bool warmUp = false;   // excluded from every average
+
+ private:
+  std::array<double, kCounterCount> values_;
+};
+
+}  // namespace hlodbench
