@@ -1,0 +1,72 @@
+#include "replay.h"
+
+#include <ctime>
+
+#include "gl_frame_services.h"
+#include "hlod/render/frame_pacer.h"
+#include "hlod/render/gpu_timer.h"
+
+namespace hlodbench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double computeMs(Clock::duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+// Processor time of the calling thread, milliseconds.
+double readThreadCpuMs() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+void storeGpuTime(GpuTimer& timer, std::vector<FrameRecord>& records, bool drain) {
+  if (const auto reading = timer.read(drain))
+    records[reading->frame].set(Counter::kGpuMs, reading->milliseconds);
+}
+
+}  // namespace
+
+std::vector<FrameRecord> replaySession(const Session& session, Strategy& strategy,
+                                       Renderer& renderer, QuerySource& queries,
+                                       const ReplayOptions& options, const ReplayHooks& hooks) {
+  std::vector<FrameRecord> records;
+  records.reserve(session.poses.size());
+  GlFrameServices services(renderer, queries);
+  FramePacer pacer(options.framesInFlight);
+  GpuTimer timer;
+  Trace trace;
+  glFinish();
+  auto start = Clock::now();
+  for (int i = 0; i < static_cast<int>(session.poses.size()) && !hooks.isInterrupted(); ++i) {
+    FrameRecord& record = records.emplace_back();
+    record.frame = i;
+    record.warmUp = i < options.warmUpFrames;
+    const double cpuStart = readThreadCpuMs();
+    const Camera camera = makeCamera(session.lens, session.poses[i]);
+
+    timer.beginFrame(i);
+    queries.beginFrame();
+    renderer.beginFrame(camera);
+    strategy.renderFrame(camera, services, record, hooks.onTrace ? &trace : nullptr);
+    timer.endFrame();
+    record.set(Counter::kCpuMs, readThreadCpuMs() - cpuStart);
+    record.set(Counter::kWaitMs, services.takeWaitMs());
+    pacer.endFrame();
+    storeGpuTime(timer, records, false);
+
+    const auto end = Clock::now();
+    record.set(Counter::kFrameMs, computeMs(end - start));
+    if (hooks.onTrace) hooks.onTrace({session.poses[i], std::move(trace), record});
+    trace.clear();
+    if (hooks.onFrame) hooks.onFrame(i);
+    // what the hooks took is nobody's frame time
+    start = hooks.onTrace || hooks.onFrame ? Clock::now() : end;
+  }
+  for (int i = 0; i < 3; ++i) storeGpuTime(timer, records, true);
+  return records;
+}
+
+}  // namespace hlodbench

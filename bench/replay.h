@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "hlod/query/query_source.h"
+#include "hlod/render/renderer.h"
+#include "metrics/counters.h"
+#include "session.h"
+#include "traversals/strategy.h"
+
+namespace hlodbench {
+
+struct ReplayOptions {
+  int warmUpFrames = 5;    // first frames of the session that are marked as warm-up
+  int framesInFlight = 1;  // frames that the CPU may run ahead; 0 finishes each frame
+};
+
+// What happened in one frame, for the trace.
+struct TracedFrame {
+  Pose pose;
+  Trace events;
+  FrameRecord record;
+};
+
+// Where a replay's frames go besides its records; each may be empty.
+struct ReplayHooks {
+  std::function<void(int frame)> onFrame;                   // after each frame: progress, images
+  std::function<void(TracedFrame&&)> onTrace;               // asks for events
+  std::function<bool()> isInterrupted = [] { return false; };
+};
+
+// Replays a session by frame index, once, with a strategy that starts cold. Returns one record a
+// frame, fewer when it was interrupted.
+std::vector<FrameRecord> replaySession(const Session& session, Strategy& strategy,
+                                       Renderer& renderer, QuerySource& queries,
+                                       const ReplayOptions& options, const ReplayHooks& hooks);
+
+}  // namespace hlodbench

@@ -1,0 +1,32 @@
+// This work is based on:
+// E. Gobbetti, F. Marton. Far Voxels. ACM TOG 24(3), SIGGRAPH 2005 (traversal known from its
+//   description in the papers below).
+// J. Bittner, M. Wimmer, H. Piringer, W. Purgathofer. Coherent Hierarchical Culling: Hardware
+//   Occlusion Queries Made Useful. CGF 23(3), 2004.
+// J. P. Charalambos et al. ISVC 2007, section 5.1: "HOQs were used as if their result were boolean".
+// reconstruction: coherent hierarchical culling whose leaves are the nodes within tolerance.
+#include "traversals/coherent_traversal.h"
+#include "traversals/strategies.h"
+
+namespace hlodbench {
+namespace {
+
+class BoolPredictor final : public Predictor {
+ public:
+  Prediction predict(NodeId node, const PredictionContext& context) override {
+    if (!context.wasVisible(node)) return Prediction::kDelay;
+    // the refinement condition needs no result: it is known now
+    return context.computeSse(node) <= context.options.tau ? Prediction::kStop
+                                                           : Prediction::kRefine;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Strategy> makeBoolStrategy(const Hierarchy& hierarchy,
+                                           const TraversalOptions& options) {
+  return std::make_unique<CoherentTraversal>(hierarchy, options, Modulation::kNone,
+                                             std::make_unique<BoolPredictor>());
+}
+
+}  // namespace hlodbench

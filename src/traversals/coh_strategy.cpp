@@ -1,0 +1,70 @@
+// This work is based on:
+// J. P. Charalambos, J. Bittner, M. Wimmer, E. Romero. Optimized HLOD Refinement Driven by Hardware
+// Occlusion Queries. ISVC 2007. Section 4.2, Fig. 3.
+#include <optional>
+
+#include "traversals/coherent_traversal.h"
+#include "traversals/strategies.h"
+
+namespace hlodbench {
+namespace {
+
+// Fig. 3, PredictRefinement(node); the comments quote it line by line.
+class CohPredictor final : public Predictor {
+ public:
+  Prediction predict(NodeId id, const PredictionContext& context) override {
+    const NodeState& node = context.states[id];
+    const double tau = context.options.tau;
+    // if not (node.lastVisited = frameID-1) or node.visible = false then return Delay
+    if (!context.wasVisible(id)) return Prediction::kDelay;
+    // if not node.stopRefinement then
+    if (!node.stopRefinement) {
+      // if candidateToShiftUp then if AvgBias(node.children)*CalcSSE(node) <= tau return Delay
+      const std::optional<double> averageBias = computeAverageBiasOfCandidate(id, context);
+      if (averageBias && *averageBias * context.computeSse(id) <= tau) return Prediction::kDelay;
+    } else if (node.bias * context.computeSse(id) <= tau) {
+      // else if node.bias*CalcSSE(node) <= tau then return Stop
+      return Prediction::kStop;
+    }
+    // return Refine; a leaf comes here only while its error is not 0, and has nothing to refine to
+    return context.hierarchy.node(id).isLeaf() ? Prediction::kStop : Prediction::kRefine;
+  }
+
+ private:
+  // AvgBias(node.children) when the node is a candidate for pulling up the front of termination
+  // nodes: refinement stopped at all its children and, estimated by Eq. 2, would stop there again.
+  // Nothing when it is not.
+  static std::optional<double> computeAverageBiasOfCandidate(NodeId id,
+                                                             const PredictionContext& context) {
+    const Node& node = context.hierarchy.node(id);
+    double sum = 0.0;
+    int count = 0;
+    // forall child in node.children do
+    for (NodeId c = node.firstChild; c < node.firstChild + node.childCount; ++c) {
+      const NodeState& child = context.states[c];
+      // deviation: Fig. 3 also asks children that were outside the frustum and so keep the values of
+      // some earlier frame; see docs/deviations.md
+      if (context.options.staleChildren == StaleChildren::kSkip &&
+          child.lastVisited != context.frame - 1)
+        continue;
+      // if not child.stopRefinement or not (child.bias*CalcSSE(child) <= tau)
+      //   candidateToShiftUp <- false
+      if (!child.stopRefinement || child.bias * context.computeSse(c) > context.options.tau)
+        return std::nullopt;
+      sum += child.bias;
+      ++count;
+    }
+    // with no child seen in the last frame there is nothing to average: not a candidate
+    return count > 0 ? std::optional<double>(sum / count) : std::nullopt;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Strategy> makeCohStrategy(const Hierarchy& hierarchy,
+                                          const TraversalOptions& options) {
+  return std::make_unique<CoherentTraversal>(hierarchy, options, Modulation::kBias,
+                                             std::make_unique<CohPredictor>());
+}
+
+}  // namespace hlodbench
