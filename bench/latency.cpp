@@ -43,8 +43,9 @@ Latency parseLatency(std::string_view text) {
       std::from_chars(number.data(), number.data() + number.size(), latency.count);
   if ((unit != "frames" && unit != "draws") || number.empty() || error != std::errc() ||
       end != number.data() + number.size() || latency.count > kMaxLatency)
-    throw InputError("--latency: expected gl, frames:N or draws:N with N from 0 to 1000000, found '" +
-                     std::string(text) + "'");
+    throw InputError(
+        "--latency: expected gl, frames:N or draws:N with N from 0 to 1000000, found '" +
+        std::string(text) + "'");
   return latency;
 }
 

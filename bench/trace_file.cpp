@@ -13,9 +13,12 @@ namespace {
 
 const char* toString(Prediction prediction) {
   switch (prediction) {
-    case Prediction::kRefine: return "refine";
-    case Prediction::kStop: return "stop";
-    case Prediction::kDelay: return "delay";
+    case Prediction::kRefine:
+      return "refine";
+    case Prediction::kStop:
+      return "stop";
+    case Prediction::kDelay:
+      return "delay";
   }
   return "";
 }
@@ -28,14 +31,18 @@ std::string formatEvent(const TraceEvent& e) {
       return fmt::format(
           R"({{"type":"visit","node":{},"in_frustum":true,"sse_px":{:.9g},"prediction":"{}"}})",
           e.node, e.sse, toString(e.prediction));
-    case TraceEvent::Type::kNear: return fmt::format(R"({{"type":"near","node":{}}})", e.node);
-    case TraceEvent::Type::kQuery: return fmt::format(R"({{"type":"query","node":{}}})", e.node);
+    case TraceEvent::Type::kNear:
+      return fmt::format(R"({{"type":"near","node":{}}})", e.node);
+    case TraceEvent::Type::kQuery:
+      return fmt::format(R"({{"type":"query","node":{}}})", e.node);
     case TraceEvent::Type::kResult:
       return fmt::format(
           R"({{"type":"result","node":{},"pixels":{},"box_px":{:.9g},"mu":{:.9g},"bias":{:.9g},"stop":{}}})",
           e.node, e.pixels, e.boxPixels, e.mu, e.bias, e.stop);
-    case TraceEvent::Type::kDraw: return fmt::format(R"({{"type":"draw","node":{}}})", e.node);
-    case TraceEvent::Type::kRarn: return fmt::format(R"({{"type":"rarn","node":{}}})", e.node);
+    case TraceEvent::Type::kDraw:
+      return fmt::format(R"({{"type":"draw","node":{}}})", e.node);
+    case TraceEvent::Type::kRarn:
+      return fmt::format(R"({{"type":"rarn","node":{}}})", e.node);
   }
   return "";
 }
@@ -61,7 +68,8 @@ TraceFile::TraceFile(std::filesystem::path path, const TraceHeader& header)
       temporary_(path_.string() + fmt::format(".tmp{}", getpid())),
       file_(std::fopen(temporary_.c_str(), "wb")) {
   if (file_ == nullptr)
-    throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+    throw InputError(
+        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
   write(formatHeader(header));
 }
 
@@ -99,7 +107,8 @@ void TraceFile::finish() {
   std::error_code error;
   if (failed || notClosed) {
     std::filesystem::remove(temporary_, error);
-    throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(reason)));
+    throw InputError(
+        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(reason)));
   }
   std::filesystem::rename(temporary_, path_, error);
   if (error)

@@ -33,9 +33,9 @@ enum class Exactness {
 
 struct CounterInfo {
   Counter counter;
-  std::string_view key;          // in CSV and JSON
-  std::string_view label;        // in printed tables
-  std::string_view unit;         // "" for plain counts
+  std::string_view key;    // in CSV and JSON
+  std::string_view label;  // in printed tables
+  std::string_view unit;   // "" for plain counts
   Better better;
   Exactness exactness;
   std::string_view description;  // one line
@@ -76,8 +76,8 @@ class FrameRecord {
   [[nodiscard]] bool has(Counter c) const { return !std::isnan(get(c)); }
   void set(Counter c, double value) { values_[static_cast<std::size_t>(c)] = value; }
 
-  int frame = 0;         // index into the session
-  bool warmUp = false;   // excluded from every average
+  int frame = 0;        // index into the session
+  bool warmUp = false;  // excluded from every average
 
  private:
   std::array<double, kCounterCount> values_;

@@ -3,8 +3,9 @@
 //   description in the papers below).
 // J. Bittner, M. Wimmer, H. Piringer, W. Purgathofer. Coherent Hierarchical Culling: Hardware
 //   Occlusion Queries Made Useful. CGF 23(3), 2004.
-// J. P. Charalambos et al. ISVC 2007, section 5.1: "HOQs were used as if their result were boolean".
-// reconstruction: coherent hierarchical culling whose leaves are the nodes within tolerance.
+// J. P. Charalambos et al. ISVC 2007, section 5.1: "HOQs were used as if their result were
+// boolean". reconstruction: coherent hierarchical culling whose leaves are the nodes within
+// tolerance.
 #include "traversals/coherent_traversal.h"
 #include "traversals/strategies.h"
 

@@ -42,8 +42,8 @@ class CohPredictor final : public Predictor {
     // forall child in node.children do
     for (NodeId c = node.firstChild; c < node.firstChild + node.childCount; ++c) {
       const NodeState& child = context.states[c];
-      // deviation: Fig. 3 also asks children that were outside the frustum and so keep the values of
-      // some earlier frame; see docs/deviations.md
+      // deviation: Fig. 3 also asks children that were outside the frustum and so keep the values
+      // of some earlier frame; see docs/deviations.md
       if (context.options.staleChildren == StaleChildren::kSkip &&
           child.lastVisited != context.frame - 1)
         continue;

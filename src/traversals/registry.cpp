@@ -11,7 +11,8 @@ namespace {
 constexpr std::array kStrategies{
     StrategyInfo{"bool", "Bool", "coherent culling, refinement by SSE; the paper's reference image",
                  makeBoolStrategy},
-    StrategyInfo{"sw-b", "SW(B)", "hierarchical stop-and-wait, refinement by VMSSE; the ideal front",
+    StrategyInfo{"sw-b", "SW(B)",
+                 "hierarchical stop-and-wait, refinement by VMSSE; the ideal front",
                  makeStopAndWaitStrategy},
     StrategyInfo{"simp-b", "Simp*(B)",
                  "prediction by processing order, VMSSE (a reconstruction, see docs/deviations.md)",
@@ -22,7 +23,9 @@ constexpr std::array kStrategies{
 
 }  // namespace
 
-std::span<const StrategyInfo> listStrategies() { return kStrategies; }
+std::span<const StrategyInfo> listStrategies() {
+  return kStrategies;
+}
 
 const StrategyInfo& findStrategy(std::string_view name) {
   std::string known;

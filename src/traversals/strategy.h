@@ -7,8 +7,8 @@
 
 namespace hlodbench {
 
-// One technique of rendering a frame: gets a camera and the services of a renderer, leaves counters.
-// It keeps what it has to remember from frame to frame; a new object starts cold.
+// One technique of rendering a frame: gets a camera and the services of a renderer, leaves
+// counters. It keeps what it has to remember from frame to frame; a new object starts cold.
 class Strategy {
  public:
   virtual ~Strategy() = default;

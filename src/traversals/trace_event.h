@@ -24,11 +24,11 @@ struct TraceEvent {
   Prediction prediction = Prediction::kDelay;
   double sse = 0.0;  // pixels
   // kResult
-  std::uint32_t pixels = 0;    // that passed
-  double boxPixels = 0.0;      // projected area of the box, at least 1
-  double mu = 0.0;             // relative visibility, 0 to 1
-  double bias = 0.0;           // 0 to 1
-  bool stop = false;           // what it decided
+  std::uint32_t pixels = 0;  // that passed
+  double boxPixels = 0.0;    // projected area of the box, at least 1
+  double mu = 0.0;           // relative visibility, 0 to 1
+  double bias = 0.0;         // 0 to 1
+  bool stop = false;         // what it decided
 };
 
 using Trace = std::vector<TraceEvent>;

@@ -20,7 +20,9 @@ bool FixedLatencyQuerySource::isAvailable(NodeId node) {
   return (unit_ == Unit::kDraws ? draws_ : frames_) - issuedAt_[node] >= latency_;
 }
 
-std::uint32_t FixedLatencyQuerySource::getResult(NodeId node) { return results_.getResult(node); }
+std::uint32_t FixedLatencyQuerySource::getResult(NodeId node) {
+  return results_.getResult(node);
+}
 
 void FixedLatencyQuerySource::noteDraw() {
   ++draws_;

@@ -103,8 +103,7 @@ EGLContext tryDisplay(const Egl& egl, EGLDisplay display, bool debug, std::strin
                                  EGL_CONTEXT_OPENGL_DEBUG,
                                  debug ? EGL_TRUE : EGL_FALSE,
                                  EGL_NONE};
-    EGLContext context =
-        egl.createContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    EGLContext context = egl.createContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT) continue;
     if (egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) &&
         gladLoadGL(reinterpret_cast<GLADloadfunc>(egl.getProcAddress)) != 0)

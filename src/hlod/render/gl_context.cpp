@@ -12,12 +12,12 @@
 namespace hlodbench {
 namespace {
 
-constexpr std::array kContexts{
-    GlContextInfo{"egl", "EGL: a GPU device first, then Mesa's surfaceless software rasteriser",
-                  makeEglContext},
+constexpr std::array kContexts {
+  GlContextInfo{"egl", "EGL: a GPU device first, then Mesa's surfaceless software rasteriser",
+                makeEglContext},
 #if HLODBENCH_HAVE_OSMESA
-    GlContextInfo{"osmesa", "OSMesa: Mesa's software rasteriser, without EGL (not in Mesa 25.1+)",
-                  makeOsMesaContext},
+      GlContextInfo{"osmesa", "OSMesa: Mesa's software rasteriser, without EGL (not in Mesa 25.1+)",
+                    makeOsMesaContext},
 #endif
 };
 
@@ -41,7 +41,9 @@ std::unique_ptr<GlContext> make(const GlContextInfo& info, const GlContextOption
 
 }  // namespace
 
-std::span<const GlContextInfo> listContexts() { return kContexts; }
+std::span<const GlContextInfo> listContexts() {
+  return kContexts;
+}
 
 std::unique_ptr<GlContext> createContext(std::string_view name, const GlContextOptions& options) {
   std::string known = "auto";

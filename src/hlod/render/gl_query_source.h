@@ -21,7 +21,7 @@ class GlQuerySource final : public QuerySource {
 
  private:
   Renderer& renderer_;
-  std::vector<GlQuery> queries_;     // reused from frame to frame
+  std::vector<GlQuery> queries_;      // reused from frame to frame
   std::vector<std::uint32_t> slots_;  // one a node: its query of this frame
   std::uint32_t used_ = 0;
 };

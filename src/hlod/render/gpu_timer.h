@@ -34,7 +34,7 @@ class GpuTimer {
   };
   bool exists_;
   std::array<Slot, kSlots> slots_;
-  int next_ = 0;     // slot of the coming frame
+  int next_ = 0;  // slot of the coming frame
 };
 
 }  // namespace hlodbench

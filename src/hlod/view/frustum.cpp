@@ -14,7 +14,8 @@ Frustum::Frustum(const Camera& camera) {
 bool Frustum::intersects(const Aabb& box) const {
   for (const glm::dvec4& plane : planes_) {
     // the corner farthest along the plane's normal
-    const glm::dvec3 corner(plane.x > 0 ? box.max.x : box.min.x, plane.y > 0 ? box.max.y : box.min.y,
+    const glm::dvec3 corner(plane.x > 0 ? box.max.x : box.min.x,
+                            plane.y > 0 ? box.max.y : box.min.y,
                             plane.z > 0 ? box.max.z : box.min.z);
     if (glm::dot(glm::dvec3(plane), corner) + plane.w < 0.0) return false;
   }

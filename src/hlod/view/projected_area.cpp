@@ -72,7 +72,9 @@ constexpr std::array<Silhouette, kRegionCount> makeSilhouettes() {
 constexpr std::array<Silhouette, kRegionCount> kSilhouettes = makeSilhouettes();
 
 int computeRegion(const glm::dvec3& eye, const Aabb& box) {
-  const auto slab = [](double e, double low, double high) { return e < low ? 1 : e > high ? 2 : 0; };
+  const auto slab = [](double e, double low, double high) {
+    return e < low ? 1 : e > high ? 2 : 0;
+  };
   return slab(eye.x, box.min.x, box.max.x) + 3 * slab(eye.y, box.min.y, box.max.y) +
          9 * slab(eye.z, box.min.z, box.max.z);
 }
@@ -108,7 +110,8 @@ glm::dvec3 cornerOf(const Aabb& box, int corner) {
 bool isCutByNearPlane(const Camera& camera, const Aabb& box) {
   // the corner nearest along the view direction decides for all eight
   const glm::dvec3 forward = camera.forward();
-  const glm::dvec3 nearest(forward.x > 0 ? box.min.x : box.max.x, forward.y > 0 ? box.min.y : box.max.y,
+  const glm::dvec3 nearest(forward.x > 0 ? box.min.x : box.max.x,
+                           forward.y > 0 ? box.min.y : box.max.y,
                            forward.z > 0 ? box.min.z : box.max.z);
   return glm::dot(forward, nearest - camera.pose.position) <= camera.lens.nearPlane;
 }
