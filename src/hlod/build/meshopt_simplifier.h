@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+
+#include "hlod/build/simplifier.h"
+
+namespace hlodbench {
+
+// Whether this build has the meshoptimizer library.
+#ifdef HLODBENCH_HAVE_MESHOPTIMIZER
+inline constexpr bool kHaveMeshoptimizer = true;
+#else
+inline constexpr bool kHaveMeshoptimizer = false;
+#endif
+
+// meshoptimizer's meshopt_simplify, with locked borders. The library locks topological borders
+// only, so each locked vertex that is not on one is made one by a small fin (a triangle of its own
+// to two vertices of its own), taken away afterwards. If a locked vertex is lost nevertheless, the
+// node goes to the OpenMesh simplifier, which is counted as a fallback.
+// Null where the library is not there.
+std::unique_ptr<Simplifier> createMeshoptSimplifier();
+
+}  // namespace hlodbench
