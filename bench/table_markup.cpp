@@ -1,0 +1,236 @@
+// The three ways to write a table down.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "table_text.h"
+
+namespace hlodbench {
+namespace {
+
+std::string replaceAll(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+// Columns a terminal takes: code points, that is bytes which do not continue one.
+std::size_t computeWidth(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  }));
+}
+
+// Only what would end a cell or a line early, or start a list: in a terminal, text stays as it is.
+std::string escapeMarkdown(std::string text) {
+  text = replaceAll(replaceAll(std::move(text), "\n", " "), "|", "\\|");
+  return text.rfind("* ", 0) == 0 ? "\\" + text : text;
+}
+
+std::string escapeLatex(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '\\':
+        escaped += "\\textbackslash{}";
+        break;
+      case '~':
+        escaped += "\\textasciitilde{}";
+        break;
+      case '^':
+        escaped += "\\textasciicircum{}";
+        break;
+      case '<':
+        escaped += "\\textless{}";
+        break;
+      case '>':
+        escaped += "\\textgreater{}";
+        break;
+      case '|':
+        escaped += "\\textbar{}";
+        break;
+      case '"':
+        escaped += "''";
+        break;
+      case '\n':
+        escaped += ' ';
+        break;
+      case '#':
+      case '$':
+      case '%':
+      case '&':
+      case '_':
+      case '{':
+      case '}':
+        escaped += '\\';
+        [[fallthrough]];
+      default:
+        escaped += c;
+    }
+  }
+  return replaceAll(escaped, "–", "--");
+}
+
+std::string escapeCsv(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return text;
+  return fmt::format("\"{}\"", replaceAll(text, "\"", "\"\""));
+}
+
+std::string formatMarkdownTable(const TableText& text) {
+  std::vector<std::vector<std::string>> lines{text.header};
+  lines.insert(lines.end(), text.rows.begin(), text.rows.end());
+  std::vector<std::size_t> widths(text.header.size(), 3);
+  for (auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      line[i] = escapeMarkdown(line[i]);
+      widths[i] = std::max(widths[i], computeWidth(line[i]));
+    }
+  std::string out;
+  for (std::size_t row = 0; row < lines.size(); ++row) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const std::string pad(widths[i] - computeWidth(lines[row][i]), ' ');
+      const bool right = i >= kFirstNumberColumn;
+      out += "| " + (right ? pad + lines[row][i] : lines[row][i] + pad) + " ";
+    }
+    out += "|\n";
+    if (row > 0) continue;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      out += i >= kFirstNumberColumn ? "| " + std::string(widths[i] - 1, '-') + ": "
+                                     : "| " + std::string(widths[i], '-') + " ";
+    out += "|\n";
+  }
+  return out;
+}
+
+std::string formatLatexRow(const std::vector<std::string>& cells) {
+  std::string row;
+  for (const std::string& cell : cells) row += (row.empty() ? "" : " & ") + escapeLatex(cell);
+  return row + " \\\\\n";
+}
+
+std::string formatCsvLine(const std::vector<std::string>& fields) {
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    line += fmt::format("{}{}", i ? "," : "", escapeCsv(fields[i]));
+  return line + "\n";
+}
+
+std::string formatNumber(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "";
+}
+
+std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRow& row) {
+  // Another scene's values in these columns would invite wrong quotients: they stay empty.
+  const PaperScene* scene = block.sameScene ? block.papers.front() : nullptr;
+  const PaperRow* paper = scene ? scene->find(row.strategy) : nullptr;
+  const auto ofPaper = [&](auto member) {
+    return paper ? formatNumber(std::optional<double>(paper->*member)) : std::string();
+  };
+  std::optional<double> median, low, high;
+  if (row.speedup) {
+    median = row.speedup->interval.median;
+    low = row.speedup->interval.low;
+    high = row.speedup->interval.high;
+  }
+  return {block.folder.string(),
+          block.run.scene.name,
+          block.run.session.name,
+          row.strategy,
+          row.label,
+          fmt::format("{}", row.repetitions),
+          fmt::format("{}", row.failures),
+          fmt::format("{}", row.frames),
+          block.run.complete ? "1" : "0",
+          formatNumber(row.dn),
+          formatNumber(row.rarn),
+          formatNumber(row.d),
+          formatNumber(row.fps),
+          formatNumber(row.fpsFrameMean),
+          formatNumber(median),
+          formatNumber(low),
+          formatNumber(high),
+          formatNumber(row.delayedShare),
+          paper ? scene->label : "",
+          ofPaper(&PaperRow::dn),
+          ofPaper(&PaperRow::rarn),
+          ofPaper(&PaperRow::d),
+          ofPaper(&PaperRow::fps),
+          ofPaper(&PaperRow::speedup),
+          paper && row.strategy == kReferenceStrategy ? formatNumber(scene->delayedShare) : ""};
+}
+
+}  // namespace
+
+std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
+  std::string out;
+  for (const TableBlock& block : blocks) {
+    const TableText text = computeTableText(block);
+    out += fmt::format("### {}\n\n{}\n\n{}\n{}\n\n", escapeMarkdown(text.title),
+                       escapeMarkdown(text.machine), formatMarkdownTable(text),
+                       escapeMarkdown(text.ratios));
+    for (const std::string& note : text.notes) out += "- " + escapeMarkdown(note) + "\n";
+    if (!text.notes.empty()) out += "\n";
+  }
+  for (const std::string& note : computeTableNotes(blocks))
+    out += "- " + escapeMarkdown(note) + "\n";
+  return out;
+}
+
+std::string renderLatex(const std::vector<TableBlock>& blocks) {
+  std::string out = "% Needs \\usepackage{booktabs}.\n";
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const TableText text = computeTableText(blocks[i]);
+    out += fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}}}\n", escapeLatex(text.title));
+    out += "\\begin{tabular}{ll" + std::string(text.header.size() - kFirstNumberColumn, 'r') +
+           "}\n\\toprule\n" + formatLatexRow(text.header);
+    for (std::size_t row = 0; row < text.rows.size(); ++row) {
+      if (row == 0)
+        out += "\\midrule\n";
+      else if (std::count(text.groupStarts.begin(), text.groupStarts.end(), row) > 0)
+        out += "\\addlinespace\n";
+      out += formatLatexRow(text.rows[row]);
+    }
+    out += "\\bottomrule\n\\end{tabular}\n\n\\medskip\n\\raggedright\\footnotesize\n";
+    std::vector<std::string> notes{text.machine, text.ratios};
+    notes.insert(notes.end(), text.notes.begin(), text.notes.end());
+    const std::vector<std::string> shared = computeTableNotes(blocks);
+    if (i + 1 == blocks.size()) notes.insert(notes.end(), shared.begin(), shared.end());
+    for (const std::string& note : notes) out += escapeLatex(note) + "\\par\n";
+    out += "\\end{table}\n";
+  }
+  return out;
+}
+
+std::string renderCsv(const std::vector<TableBlock>& blocks) {
+  std::string out = formatCsvLine({"folder",
+                                   "scene",
+                                   "session",
+                                   "strategy",
+                                   "label",
+                                   "repetitions",
+                                   "failures",
+                                   "frames",
+                                   "complete",
+                                   "ours_dn",
+                                   "ours_rarn",
+                                   "ours_d",
+                                   "ours_fps",
+                                   "ours_fps_frame_mean",
+                                   "ours_speedup",
+                                   "ours_speedup_low",
+                                   "ours_speedup_high",
+                                   "ours_delayed_share",
+                                   "paper_scene",
+                                   "paper_dn",
+                                   "paper_rarn",
+                                   "paper_d",
+                                   "paper_fps",
+                                   "paper_speedup",
+                                   "paper_delayed_share"});
+  for (const TableBlock& block : blocks)
+    for (const TableRow& row : block.rows) out += formatCsvLine(computeCsvFields(block, row));
+  return out;
+}
+
+}  // namespace hlodbench
