@@ -1,0 +1,202 @@
+#!/usr/bin/env bash
+# Usage: scripts/reproduce.sh [--paper] [OPTION...]
+#
+# Reproduces Table 1 of Charalambos, Bittner, Wimmer and Romero, "Optimized HLOD Refinement Driven
+# by Hardware Occlusion Queries" (ISVC 2007): installs what is missing, builds hlodbench, builds the
+# hierarchy of a scene, replays a recorded camera session with the four strategies bool, sw-b,
+# simp-b and coh-b, and prints the table as Markdown on stdout. All else is said on stderr.
+#
+#   (no option)        the courtyard, a scene that hlodbench makes itself; nothing is downloaded
+#                      but missing Debian packages
+#   --paper            scenes 1 and 2 as in the paper, of copies of the Stanford dragon, which
+#                      scripts/fetch_dragon.sh downloads (11 MB; its terms: fetch_dragon.sh --help)
+#   --repetitions N    how often each session is replayed (3 for the courtyard, 5 with --paper)
+#   --out DIR          put the records into DIR/SCENE, which must not exist yet, instead of
+#                      results/runs/SCENE-UTCTIME
+#   --context NAME     how to get OpenGL: auto, egl or osmesa (auto)
+#   --no-install       install no package; end with code 2 if one is missing
+#   --help             this text
+#
+# Needs no GPU, screen or X server: without a GPU Mesa's software renderer draws. On two cores and
+# no GPU the courtyard takes about ten minutes the first time; --paper may take hours. A line with
+# the time passed and the usual time left is printed for every step. What is already built is kept.
+#
+# Writes only into the repository's folder: build/release (about 100 MB), .cache with hierarchies
+# and models (about 100 MB; with --paper about 3 GB; HLODBENCH_CACHE names another place), and the
+# records (a few MB). Ctrl-C is safe: unfinished records are removed, finished steps stay.
+#
+# Exit codes: 0 the table was printed; 1 a build or a check failed; 2 wrong usage, missing package
+# or bad input; 3 no usable OpenGL; 130 interrupted.
+set -euo pipefail
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+# shellcheck source=scripts/lib.sh
+. "$root/scripts/lib.sh"
+
+readonly strategies=bool,sw-b,simp-b,coh-b
+readonly gl_packages=(libegl1 libegl-mesa0 libgl1-mesa-dri)
+
+# Usual seconds on two cores and no GPU; they only weigh the steps in the estimate of the time left.
+readonly compile_seconds=120 fetch_seconds=30
+hierarchy_seconds() {
+  case $1 in
+    courtyard) echo 60 ;;
+    *) echo 600 ;;
+  esac
+}
+repetition_seconds() {
+  case $1 in
+    courtyard) echo 120 ;;
+    *) echo 600 ;;
+  esac
+}
+
+# begin_step SECONDS TITLE: says how far we are; SECONDS is what the step usually takes.
+begin_step() {
+  end_step
+  step_number=$((step_number + 1))
+  step_seconds=$1
+  step_start=$SECONDS
+  local left=$((planned_seconds * pace / 100 / 60))
+  say "[$((SECONDS / 60)) min $((SECONDS % 60)) s] $step_number/$step_count $2" \
+    "(about $((left + 1)) min left)"
+}
+
+# end_step: the steps that really worked tell how fast this machine is; cached ones do not.
+end_step() {
+  local taken=$((SECONDS - step_start))
+  planned_seconds=$((planned_seconds - step_seconds))
+  if [ "$step_seconds" -gt 0 ] && [ "$taken" -gt 10 ]; then
+    worked_seconds=$((worked_seconds + taken))
+    usual_seconds=$((usual_seconds + step_seconds))
+    pace=$((worked_seconds * 100 / usual_seconds))
+  fi
+}
+step_number=0 step_seconds=0 step_start=0 worked_seconds=0 usual_seconds=0 pace=100
+
+# bench ARGUMENT...: runs hlodbench; its failure is ours.
+bench() {
+  local code=0
+  "$root/build/release/bench/hlodbench" "$@" || code=$?
+  [ "$code" -ne 3 ] || explain_missing_gl
+  [ "$code" -eq 0 ] || exit "$code"
+}
+
+explain_missing_gl() {
+  if ! is_debian; then
+    say "No usable OpenGL: see 'Running' in docs/building.md"
+    return
+  fi
+  local missing
+  missing=$(missing_packages "${gl_packages[@]}" | tr '\n' ' ')
+  if [ -n "$missing" ]; then
+    say "No usable OpenGL; missing packages: $missing"
+  else
+    say "No usable OpenGL although ${gl_packages[*]} are installed; see docs/building.md"
+  fi
+}
+
+# replay SCENE: one session with all strategies. The records appear in their place when complete.
+replay() {
+  local records=${record_folders[$1]}
+  local -a context_option=()
+  [ "$context" = auto ] || context_option=(--context "$context")
+  mkdir -p -- "${records%/*}"
+  partial=$(mktemp -d "${records%/*}/.$1.XXXXXX")
+  chmod 755 "$partial"
+  bench run --scene "$cache/$1.hlod" --session "$root/sessions/$1.session.json" \
+    --strategy "$strategies" --repetitions "$repetitions" "${context_option[@]}" \
+    --out "$partial" >&2
+  mv -T -- "$partial" "$records"
+  partial=
+}
+
+clean_up() { [ -z "$partial" ] || rm -rf -- "$partial"; }
+
+paper=no install=yes repetitions='' out='' context=auto partial=''
+while [ $# -gt 0 ]; do
+  case $1 in
+    --paper) paper=yes ;;
+    --no-install) install=no ;;
+    --repetitions)
+      repetitions=$(option_value "$@")
+      [[ $repetitions =~ ^[1-9][0-9]{0,3}$ ]] ||
+        die 2 "--repetitions expects a number from 1 to 9999, not '$repetitions'"
+      shift
+      ;;
+    --out)
+      out=$(option_value "$@")
+      out=$(absolute_path "$out")
+      shift
+      ;;
+    --context)
+      context=$(option_value "$@")
+      case $context in
+        auto | egl | osmesa) ;;
+        *) die 2 "--context expects auto, egl or osmesa, not '$context'" ;;
+      esac
+      shift
+      ;;
+    -h | --help)
+      usage
+      exit 0
+      ;;
+    *) unknown_option "$1" ;;
+  esac
+  shift
+done
+
+if [ "$paper" = yes ]; then
+  scenes=(scene1 scene2)
+  repetitions=${repetitions:-5}
+else
+  scenes=(courtyard)
+  repetitions=${repetitions:-3}
+fi
+cache=$(cache_folder)
+export HLODBENCH_CACHE=$cache # the scene files name the dragon by it
+
+now=$(date -u +%Y%m%dT%H%M%SZ)
+declare -A record_folders
+step_count=$((1 + 2 * ${#scenes[@]}))
+planned_seconds=$compile_seconds
+for scene in "${scenes[@]}"; do
+  record_folders[$scene]=${out:+$out/$scene}
+  record_folders[$scene]=${record_folders[$scene]:-$root/results/runs/$scene-$now}
+  [ ! -e "${record_folders[$scene]}" ] ||
+    die 2 "--out: ${record_folders[$scene]} already exists; name another folder"
+  planned_seconds=$((planned_seconds + $(hierarchy_seconds "$scene") + \
+    repetitions * $(repetition_seconds "$scene")))
+done
+if [ "$paper" = yes ]; then
+  step_count=$((step_count + 1))
+  planned_seconds=$((planned_seconds + fetch_seconds))
+fi
+
+exit_on_signals
+trap clean_up EXIT
+
+ensure_dependencies "$install"
+begin_step "$compile_seconds" "Building hlodbench in build/release"
+configure release
+build release hlodbench
+
+mkdir -p -- "$cache"
+if [ "$paper" = yes ]; then
+  begin_step "$fetch_seconds" "Fetching the Stanford dragon"
+  "$root/scripts/fetch_dragon.sh" >&2
+fi
+for scene in "${scenes[@]}"; do
+  begin_step "$(hierarchy_seconds "$scene")" "Building the hierarchy of $scene"
+  bench build "$root/sessions/$scene.scene.json" -o "$cache/$scene.hlod" >&2
+done
+for scene in "${scenes[@]}"; do
+  begin_step $((repetitions * $(repetition_seconds "$scene"))) \
+    "Replaying $scene $repetitions times with $strategies"
+  replay "$scene"
+done
+
+bench table "${record_folders[@]}" --format markdown
+say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s. Records:"
+for scene in "${scenes[@]}"; do
+  say "  ${record_folders[$scene]}"
+done
