@@ -16,11 +16,15 @@ namespace hlodbench {
 namespace mesh_reader {
 
 void fail(const FileText& file, const std::string& what) {
-  throw InputError(fmt::format("{}: {}", file.name, what));
+  // What stands in a corrupt file must not reach the terminal as control characters.
+  std::string shown = what;
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  throw InputError(fmt::format("{}: {}", file.name, shown));
 }
 
 void failAtLine(const FileText& file, std::uint64_t line, const std::string& what) {
-  throw InputError(fmt::format("{}: line {}: {}", file.name, line, what));
+  fail(file, fmt::format("line {}: {}", line, what));
 }
 
 void addPolygon(std::span<const std::uint32_t> corners, MeshFile& mesh) {
