@@ -55,7 +55,8 @@ void planAmbulatory(int side, Random& random, Plans& plans) {
   constexpr double kLine = kHallWall - 0.85;
   int number = 0;
   for (const double x : {-10.6, -3.93, 3.93}) {
-    const int kind = random.below(kSculptureKinds);
+    const int lot = random.below(kSculptureKinds + 2);  // figures come three times as often
+    const int kind = lot < kSculptureKinds ? lot : 0;
     addSculpture(fmt::format("{} sculpture {}", name, ++number), kind, 0.7, place(x, kLine), random,
                  plans);
   }

@@ -113,17 +113,18 @@ std::vector<Body> makeCoral(Random& random) {
 std::vector<Body> makeShell(Random& random) {
   const double turns = random.uniform(3.0, 3.8), growth = random.uniform(2.4, 3.0);
   const int ribs = 17 + random.below(8);
-  const double scale = 0.30;
+  const double scale = 0.30, least = std::exp(-growth);
+  // A logarithmic spiral whose size, and so its length, grows evenly with the tube's parameter.
+  const auto size = [least](double s) { return least + (1.0 - least) * s; };
+  const auto turned = [growth, size](double s) { return 1.0 + std::log(size(s)) / growth; };
   TubeSpec spec;
   spec.spine = [=](double s) {
-    const double size = std::exp(growth * (s - 1.0)), angle = kTau * turns * s;
-    return glm::dvec3(scale * size * std::cos(angle), scale * (3.1 - 2.2 * size),
-                      scale * size * std::sin(angle));
+    const double r = scale * size(s), angle = kTau * turns * turned(s);
+    return glm::dvec3(r * std::cos(angle), 3.1 * scale - 2.2 * r, r * std::sin(angle));
   };
   spec.radius = [=](double s, double angle) {
-    const double size = std::exp(growth * (s - 1.0));
-    const double rib = 0.5 + 0.5 * std::cos(kTau * ribs * s);
-    return scale * size * (0.86 + 0.07 * rib + 0.05 * std::cos(9.0 * angle));
+    const double rib = 0.5 + 0.5 * std::cos(kTau * ribs * turned(s));
+    return scale * size(s) * (0.86 + 0.07 * rib + 0.05 * std::cos(9.0 * angle));
   };
   spec.side = {0.0, 1.0, 0.0};
   spec.length = kTau * turns * scale * 0.55;
