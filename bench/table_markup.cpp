@@ -106,6 +106,8 @@ std::string formatMarkdownTable(const TableText& text) {
 std::string formatLatexRow(const std::vector<std::string>& cells) {
   std::string row;
   for (const std::string& cell : cells) row += (row.empty() ? "" : " & ") + escapeLatex(cell);
+  // The row before ends in two backslashes, which take a bracket or a star as their argument.
+  if (!row.empty() && (row[0] == '[' || row[0] == '*')) row.insert(0, "{}");
   return row + " \\\\\n";
 }
 
@@ -182,8 +184,10 @@ std::string renderLatex(const std::vector<TableBlock>& blocks) {
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const TableText text = computeTableText(blocks[i]);
     out += fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}}}\n", escapeLatex(text.title));
-    out += "\\begin{tabular}{ll" + std::string(text.header.size() - kFirstNumberColumn, 'r') +
-           "}\n\\toprule\n" + formatLatexRow(text.header);
+    // Eight columns fit the text width of the standard classes only when set small and close.
+    out += "\\footnotesize\\setlength{\\tabcolsep}{4pt}\n\\begin{tabular}{ll" +
+           std::string(text.header.size() - kFirstNumberColumn, 'r') + "}\n\\toprule\n" +
+           formatLatexRow(text.header);
     for (std::size_t row = 0; row < text.rows.size(); ++row) {
       if (row == 0)
         out += "\\midrule\n";
@@ -191,7 +195,7 @@ std::string renderLatex(const std::vector<TableBlock>& blocks) {
         out += "\\addlinespace\n";
       out += formatLatexRow(text.rows[row]);
     }
-    out += "\\bottomrule\n\\end{tabular}\n\n\\medskip\n\\raggedright\\footnotesize\n";
+    out += "\\bottomrule\n\\end{tabular}\n\n\\medskip\n\\raggedright\n";
     std::vector<std::string> notes{text.machine, text.ratios};
     notes.insert(notes.end(), text.notes.begin(), text.notes.end());
     const std::vector<std::string> shared = computeTableNotes(blocks);

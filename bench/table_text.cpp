@@ -161,8 +161,8 @@ std::vector<std::string> computeTableNotes(const std::vector<TableBlock>& blocks
   const std::string warmUp =
       fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most);
   std::vector<std::string> notes{
-      fmt::format("Averages over all frames and repetitions; {} warm-up frames before each "
-                  "repetition are excluded.",
+      fmt::format("Averages over all frames and repetitions. Warm-up frames before each repetition "
+                  "are excluded; there were {}.",
                   warmUp),
       "FPS: frames over total time. frame FPS: mean of the FPS of single frames. The paper does "
       "not say which of the two it prints.",

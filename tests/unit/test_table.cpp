@@ -1,0 +1,301 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "hlod/core/error.h"
+#include "metrics/result_json.h"
+#include "table.h"
+
+namespace hlodbench {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+struct Values {
+  const char* strategy;
+  const char* label;
+  double dn;
+  double rarn;
+  double d;  // negative: the strategy has no such counter
+  double fps;
+};
+
+// The paper's scene 1 as if it were measured.
+constexpr Values kPaperScene1[] = {{"coh-b", "Coh(B)", 183.3, 0.1, 4.7, 191.6},
+                                   {"bool", "Bool", 217.0, 0.0, -1.0, 169.9},
+                                   {"sw-b", "SW(B)", 181.4, 0.0, -1.0, 47.3},
+                                   {"simp-b", "Simp(B)", 200.0, 5.0, -1.0, 173.6}};
+
+Summary makeSummary(const Values& values, double slowdown) {
+  std::vector<FrameRecord> records(4);
+  for (FrameRecord& record : records) {
+    record.set(Counter::kDn, values.dn);
+    record.set(Counter::kRarn, values.rarn);
+    if (values.d >= 0.0) record.set(Counter::kD, values.d);
+    record.set(Counter::kFrameMs, slowdown * 1000.0 / values.fps);
+  }
+  return computeSummary(records);
+}
+
+RunResult makeRun(const std::string& scene, int repetitions) {
+  RunResult run;
+  run.environment.program = "hlodbench 0.1.0";
+  run.environment.buildType = "Release";
+  run.scene = {scene, "00ff", 5012345, 12001, nlohmann::json::object()};
+  run.session = {"walk", "ff00", 4};
+  run.warmUpFrames = 10;
+  run.repetitions = repetitions;
+  std::vector<CaseKey> planned;
+  for (int repetition = 0; repetition < repetitions; ++repetition)
+    for (const Values& values : kPaperScene1) {
+      CaseResult result;
+      result.key = {values.strategy, repetition};
+      result.label = values.label;
+      result.csv = "x.csv";
+      result.summary = makeSummary(values, 1.0 + repetition);
+      planned.push_back(result.key);
+      run.cases.push_back(std::move(result));
+    }
+  finishRun(run, planned);
+  return run;
+}
+
+// Result folders that go away with the test.
+class Table : public testing::Test {
+ protected:
+  Table() : root_(fs::temp_directory_path() / fmt::format("hlodbench-table-{}", ::getpid())) {
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  ~Table() override { fs::remove_all(root_); }
+
+  fs::path write(const std::string& name, const RunResult& run) const {
+    fs::create_directories(root_ / name);
+    writeRunResult(root_ / name, run);
+    return root_ / name;
+  }
+
+  fs::path root_;
+};
+
+std::vector<std::string> splitLines(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// The cells of all table lines, without the padding.
+std::vector<std::vector<std::string>> parseMarkdown(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& line : splitLines(text)) {
+    if (line.empty() || line[0] != '|') continue;
+    std::vector<std::string> cells;
+    std::istringstream in(line.substr(1));
+    for (std::string cell; std::getline(in, cell, '|');) {
+      const std::size_t begin = cell.find_first_not_of(' ');
+      cells.push_back(
+          begin == cell.npos ? "" : cell.substr(begin, cell.find_last_not_of(' ') - begin + 1));
+    }
+    rows.push_back(cells);
+  }
+  return rows;
+}
+
+std::size_t countCodePoints(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+}  // namespace
+
+TEST_F(Table, SetsThePapersValuesUnderOursInThePapersOrder) {
+  const auto rows =
+      parseMarkdown(renderTable({write("a", makeRun("scene1", 1))}, TableFormat::kMarkdown));
+  ASSERT_EQ(rows.size(), 10u);
+  EXPECT_THAT(rows[0], ElementsAre("Scenario", "Values", "DN", "RARN", "D", "FPS", "frame FPS",
+                                   "Speedup [95 %]"));
+  EXPECT_THAT(rows[2],
+              ElementsAre("Bool", "this run", "217.0", "–", "–", "169.9", "169.9", "1.13"));
+  EXPECT_THAT(rows[3], ElementsAre("Bool", "paper, scene 1", "217", "–", "–", "169.9", "", "1.13"));
+  EXPECT_THAT(rows[4], ElementsAre("SW(B)", "this run", "181.4", "–", "–", "47.3", "47.3", "4.05"));
+  EXPECT_THAT(rows[5],
+              ElementsAre("SW(B)", "paper, scene 1", "181.4", "–", "–", "47.3", "", "4.04"));
+  EXPECT_THAT(rows[6],
+              ElementsAre("Simp*(B)", "this run", "200.0", "5.00", "–", "173.6", "173.6", "1.10"));
+  EXPECT_THAT(rows[7],
+              ElementsAre("Simp(B)", "paper, scene 1", "200", "5", "–", "173.6", "", "1.10"));
+  EXPECT_THAT(rows[8],
+              ElementsAre("Coh(B)", "this run", "183.3", "0.10", "4.70", "191.6", "191.6", "–"));
+  EXPECT_THAT(rows[9],
+              ElementsAre("Coh(B)", "paper, scene 1", "183.3", "0.1", "4.7", "191.6", "", "–"));
+}
+
+TEST_F(Table, SaysTheRatiosThePaperDiscusses) {
+  const std::string text = renderTable({write("a", makeRun("scene1", 1))}, TableFormat::kMarkdown);
+  EXPECT_THAT(text, HasSubstr("the paper's (scene 1): Coh/SW 1.010 (1.010), Simp*/SW 1.103 (1.103)"
+                              ", SW/Bool 0.836 (0.836), D/DN of Coh 2.56 % (2.56 %)"));
+}
+
+TEST_F(Table, AveragesOverFramesOfAllRepetitionsAndPairsSpeedups) {
+  // Repetition 1 takes twice as long: 3 periods for 2 passes, while every ratio stays.
+  const auto rows =
+      parseMarkdown(renderTable({write("a", makeRun("scene1", 2))}, TableFormat::kMarkdown));
+  EXPECT_EQ(rows[2][5], fmt::format("{:.1f}", 169.9 / 1.5));
+  EXPECT_EQ(rows[2][6], fmt::format("{:.1f}", 169.9 * 0.75));
+  EXPECT_EQ(rows[2][7], "1.13 [1.13, 1.13]");
+}
+
+TEST_F(Table, WeighsRepetitionsByTheirFrames) {
+  RunResult run = makeRun("scene1", 2);
+  for (CaseResult& result : run.cases) {
+    if (result.key.strategy != "bool" || result.key.repetition != 1) continue;
+    std::vector<FrameRecord> one(1);
+    one[0].set(Counter::kDn, 317.0);
+    result.summary = computeSummary(one);
+  }
+  const auto rows = parseMarkdown(renderTable({write("a", run)}, TableFormat::kMarkdown));
+  EXPECT_EQ(rows[2][2], "237.0");  // (4 * 217 + 317) / 5
+  EXPECT_EQ(rows[2][5], "169.9");  // the repetition without frame times says nothing of FPS
+}
+
+TEST_F(Table, ShowsAnotherSceneBesideBothOfThePaperAndSaysSo) {
+  const std::string text =
+      renderTable({write("a", makeRun("courtyard", 1))}, TableFormat::kMarkdown);
+  const auto rows = parseMarkdown(text);
+  ASSERT_EQ(rows.size(), 14u);
+  EXPECT_EQ(rows[3][1], "other: paper's scene 1");
+  EXPECT_THAT(rows[4],
+              ElementsAre("Bool", "other: paper's scene 2", "468.5", "–", "–", "92.9", "", "1.40"));
+  EXPECT_THAT(text, HasSubstr("\"courtyard\" is not a scene of the paper"));
+  EXPECT_THAT(text, HasSubstr("(scene 1; scene 2): Coh/SW 1.010 (1.010; 1.006)"));
+  EXPECT_THAT(renderTable({write("b", makeRun("scene2", 1))}, TableFormat::kMarkdown),
+              Not(HasSubstr("other: ")));
+}
+
+TEST_F(Table, KeepsItsColumnsAlignedInATerminal) {
+  RunResult run = makeRun("scene1", 5);
+  run.cases[0].label = "Coh(B) élargi";  // two bytes, one column
+  std::size_t width = 0;
+  for (const std::string& line :
+       splitLines(renderTable({write("a", run)}, TableFormat::kMarkdown))) {
+    if (line.empty() || line[0] != '|') continue;
+    if (width == 0) width = countCodePoints(line);
+    EXPECT_EQ(countCodePoints(line), width) << line;
+  }
+  EXPECT_GT(width, 40u);
+  EXPECT_LE(width, 100u);
+}
+
+TEST_F(Table, ExplainsItselfBelow) {
+  const std::string text = renderTable({write("a", makeRun("scene1", 1))}, TableFormat::kMarkdown);
+  EXPECT_THAT(text,
+              HasSubstr("Warm-up frames before each repetition are excluded; there were 10."));
+  EXPECT_THAT(text, HasSubstr("* reconstruction, see docs/deviations.md; not the authors' method"));
+  EXPECT_THAT(text, HasSubstr("FPS: frames over total time"));
+  EXPECT_THAT(text, HasSubstr("ISVC 2007"));
+}
+
+TEST_F(Table, NamesFailedCasesAndWhatIsMissing) {
+  RunResult run = makeRun("scene1", 2);
+  for (CaseResult& result : run.cases) {
+    if (result.key.strategy != "sw-b") continue;
+    result.error = "frame 7: query | lost";
+    result.summary.reset();
+  }
+  run.cases.pop_back();
+  run.missing = {{"simp-b", 1}, {"oracle", 0}, {"oracle", 1}};
+  run.complete = false;
+  run.warnings = {"software rasteriser"};
+  const std::string text = renderTable({write("a", run)}, TableFormat::kMarkdown);
+  EXPECT_THAT(text, HasSubstr("SW(B) repetition 1 failed: frame 7: query \\| lost"));
+  EXPECT_THAT(text,
+              HasSubstr("incomplete run, missing: Simp*(B) repetition 1; oracle repetition 0, 1"));
+  EXPECT_THAT(text, HasSubstr("warning: software rasteriser"));
+  EXPECT_THAT(text, HasSubstr("Coh/SW n/a (1.010)"));
+  EXPECT_THAT(parseMarkdown(text)[4],
+              ElementsAre("SW(B)", "this run", "n/a", "–", "–", "n/a", "n/a", "n/a"));
+}
+
+TEST_F(Table, PutsOtherStrategiesAfterThePapersById) {
+  RunResult run = makeRun("scene1", 1);
+  for (const Values& values : {Values{"oracle", "Oracle|x", 180.0, 0.0, 0.0, 200.0},
+                               Values{"full", "Full", 900, 0, 0, 9}}) {
+    CaseResult result;
+    result.key = {values.strategy, 0};
+    result.label = values.label;
+    result.summary = makeSummary(values, 1.0);
+    run.cases.insert(run.cases.begin(), result);
+  }
+  const std::string text = renderTable({write("a", run)}, TableFormat::kMarkdown);
+  const auto rows = parseMarkdown(text);
+  ASSERT_EQ(rows.size(), 12u);
+  EXPECT_THAT(rows[10],
+              ElementsAre("Full", "this run", "900.0", "0.00", "0.00", "9.0", "9.0", "21.29"));
+  EXPECT_THAT(text, HasSubstr("| Oracle\\|x |"));
+}
+
+TEST_F(Table, WritesLatexWithNothingUnescaped) {
+  RunResult run = makeRun("scene1", 1);
+  run.scene.name = "a_b%c&d#e$f{g}h~i^j\\k";
+  const std::string text = renderTable({write("a", run)}, TableFormat::kLatex);
+  EXPECT_THAT(text, HasSubstr("a\\_b\\%c\\&d\\#e\\$f\\{g\\}h\\textasciitilde{}i\\textasciicircum{}"
+                              "j\\textbackslash{}k"));
+  for (const char* part : {"\\toprule", "\\midrule", "\\bottomrule", "\\addlinespace",
+                           "\\begin{tabular}{llrrrrrr}", "Bool & this run & 217.0 & -- & -- & "})
+    EXPECT_THAT(text, HasSubstr(part));
+  EXPECT_THAT(text, Not(HasSubstr("–")));
+  for (const std::string& line : splitLines(text)) {
+    if (line.find(" & ") == line.npos || line.find("\\\\") == line.npos) continue;
+    std::size_t separators = 0;
+    for (std::size_t at = line.find('&'); at != line.npos; at = line.find('&', at + 1))
+      separators += at > 0 && line[at - 1] == '\\' ? 0u : 1u;
+    EXPECT_EQ(separators, 7u) << line;
+  }
+}
+
+TEST_F(Table, WritesCsvWithOursAndThePapersValues) {
+  RunResult other = makeRun("court,yard", 1);
+  const fs::path first = write("a", makeRun("scene1", 2));
+  const auto lines = splitLines(renderTable({first, write("b", other)}, TableFormat::kCsv));
+  ASSERT_EQ(lines.size(), 9u);
+  EXPECT_THAT(lines[0], HasSubstr(",ours_dn,ours_rarn,"));
+  EXPECT_THAT(lines[0], HasSubstr(",paper_dn,paper_rarn,"));
+  const auto commas = std::count(lines[0].begin(), lines[0].end(), ',');
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ(std::count(lines[i].begin(), lines[i].end(), ','), commas) << lines[i];
+  EXPECT_THAT(lines[1],
+              testing::StartsWith(first.string() + ",scene1,walk,bool,Bool,2,0,8,1,217,"));
+  EXPECT_THAT(lines[1], testing::EndsWith(",scene 1,217,,,169.9,1.13,"));
+  EXPECT_THAT(lines[5], HasSubstr(",\"court,yard\",walk,bool,"));
+  EXPECT_THAT(lines[5], testing::EndsWith(",,,,,,,"));
+}
+
+TEST_F(Table, RefusesWhatIsNoResultFolder) {
+  EXPECT_THROW(renderTable({}, TableFormat::kMarkdown), InputError);
+  try {
+    renderTable({write("a", makeRun("scene1", 1)), root_ / "nowhere"}, TableFormat::kMarkdown);
+    FAIL() << "took a folder that is not there";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nowhere: expected a result folder with a run.json"));
+  }
+  EXPECT_EQ(parseTableFormat("latex"), TableFormat::kLatex);
+  EXPECT_THROW(parseTableFormat("html"), InputError);
+}
+
+TEST_F(Table, TakesARunThatWasInterruptedBeforeAnything) {
+  RunResult run = makeRun("scene1", 1);
+  run.cases.clear();
+  finishRun(run, {{"bool", 0}});
+  for (const TableFormat format : {TableFormat::kMarkdown, TableFormat::kLatex, TableFormat::kCsv})
+    EXPECT_FALSE(renderTable({write("a", run)}, format).empty());
+}
+
+}  // namespace hlodbench
