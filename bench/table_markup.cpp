@@ -185,7 +185,7 @@ std::string renderLatex(const std::vector<TableBlock>& blocks) {
     const TableText text = computeTableText(blocks[i]);
     out += fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}}}\n", escapeLatex(text.title));
     // Eight columns fit the text width of the standard classes only when set small and close.
-    out += "\\footnotesize\\setlength{\\tabcolsep}{4pt}\n\\begin{tabular}{ll" +
+    out += "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n\\begin{tabular}{ll" +
            std::string(text.header.size() - kFirstNumberColumn, 'r') + "}\n\\toprule\n" +
            formatLatexRow(text.header);
     for (std::size_t row = 0; row < text.rows.size(); ++row) {

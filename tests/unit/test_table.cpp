@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 #include "hlod/core/error.h"
 #include "metrics/result_json.h"
+#include "metrics/text_file.h"
 #include "table.h"
 
 namespace hlodbench {
@@ -259,6 +261,26 @@ TEST_F(Table, WritesLatexWithNothingUnescaped) {
       separators += at > 0 && line[at - 1] == '\\' ? 0u : 1u;
     EXPECT_EQ(separators, 7u) << line;
   }
+}
+
+TEST_F(Table, WritesLatexThatCompiles) {
+  if (std::system("pdflatex -version >/dev/null 2>&1 && kpsewhich booktabs.sty >/dev/null") != 0)
+    GTEST_SKIP() << "no pdflatex with booktabs: whether the LaTeX table compiles was not tested";
+  RunResult run = makeRun("a_b%c&d#e$f{g}h~i^j\\k<|>\"", 5);
+  for (CaseResult& result : run.cases)
+    if (result.key.strategy == "bool") result.label = "[x]*";
+  writeTextFile(
+      root_ / "table.tex",
+      renderTable({write("a", makeRun("scene1", 5)), write("b", run)}, TableFormat::kLatex));
+  writeTextFile(root_ / "all.tex",
+                "\\documentclass{article}\n\\usepackage{booktabs}\n\\begin{document}\n"
+                "\\input{table.tex}\n\\end{document}\n");
+  const std::string command = fmt::format(
+      "cd '{}' && pdflatex -interaction=nonstopmode -halt-on-error all.tex >/dev/null 2>&1",
+      root_.string());
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  const std::string log = readTextFile(root_ / "all.log");
+  EXPECT_THAT(log, Not(HasSubstr("Overfull \\hbox"))) << "wider than a page";
 }
 
 TEST_F(Table, WritesCsvWithOursAndThePapersValues) {
