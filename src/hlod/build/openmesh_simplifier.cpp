@@ -1,38 +1,37 @@
 #include "hlod/build/openmesh_simplifier.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 
+#include "hlod/build/decimation_mesh.h"
+#include "hlod/build/manifold_parts.h"
 #include "hlod/build/quadric_module.h"
 
 namespace hlodbench {
 namespace {
 
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
-using VertexHandle = Mesh::VertexHandle;
-using FaceHandle = Mesh::FaceHandle;
+using VertexHandle = DecimationMesh::VertexHandle;
+using FaceHandle = DecimationMesh::FaceHandle;
 
-// Turns a triangle list into half-edges, which cannot hold every list: a face that does not fit is
-// turned over; if it still does not fit it goes to the next layer, which has copies of its vertices
-// and so starts as an empty mesh.
+// The half-edge mesh of a triangle list, which may be anything: it is taken apart into manifold
+// parts first. A face that does not fit even so (two parts that meet along the same edge of the
+// same two vertices) goes to the next layer, which has copies of its vertices and starts empty.
 class LayeredMesh {
  public:
   LayeredMesh(const SimplifierInput& input, SimplifierStats& stats) : input_(input), stats_(stats) {
     mesh_.request_vertex_status();
     mesh_.request_edge_status();
     mesh_.request_face_status();
-    std::vector<glm::uvec3> triangles = removeUselessTriangles(input.triangles, stats);
-    mesh_.reserve(input.positions.size() + 16, triangles.size() * 3 / 2 + 256,
-                  triangles.size() + 16);
-    std::uint64_t vertices = 0;
-    while (!triangles.empty()) {
-      addLayer(triangles);
-      if (vertices != 0) stats_.splitVertices += mesh_.n_vertices() - vertices;
-      vertices = mesh_.n_vertices();
-    }
+    parts_ = computeManifoldParts(removeUselessTriangles(input.triangles, stats));
+    mesh_.reserve(parts_.source.size() + 16, parts_.triangles.size() * 3 / 2 + 256,
+                  parts_.triangles.size() + 16);
+    std::vector<std::uint32_t> faces(parts_.triangles.size());
+    for (std::uint32_t face = 0; face < faces.size(); ++face) faces[face] = face;
+    while (!faces.empty()) addLayer(faces);
+    countStats();
   }
 
-  [[nodiscard]] Mesh& mesh() { return mesh_; }
+  [[nodiscard]] DecimationMesh& mesh() { return mesh_; }
 
   // What is left, as triangles over the input's vertices, each with the winding it came with.
   [[nodiscard]] std::vector<glm::uvec3> triangles() const {
@@ -43,6 +42,7 @@ class LayeredMesh {
       glm::uvec3 t(source_[index(mesh_.from_vertex_handle(h))],
                    source_[index(mesh_.to_vertex_handle(h))],
                    source_[index(mesh_.to_vertex_handle(next))]);
+      // Two copies of one vertex may have become neighbours.
       if (t.x == t.y || t.y == t.z || t.z == t.x) continue;
       if (flipped_[static_cast<std::size_t>(face.idx())] != 0) std::swap(t.y, t.z);
       out.push_back(t);
@@ -53,38 +53,32 @@ class LayeredMesh {
  private:
   static std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
-  // Adds what fits in one layer; leaves the rest in `triangles`. A layer takes its first face in
-  // any case, so this ends.
-  void addLayer(std::vector<glm::uvec3>& triangles) {
-    copies_.assign(input_.positions.size(), VertexHandle());
-    std::vector<glm::uvec3> refused;
-    for (const glm::uvec3& t : triangles) {
-      const VertexHandle a = copyOf(t.x);
-      const VertexHandle b = copyOf(t.y);
-      const VertexHandle c = copyOf(t.z);
-      if (addFace(a, b, c)) {
-        flipped_.push_back(0);
-      } else if (addFace(a, c, b)) {
-        flipped_.push_back(1);
-        ++stats_.flippedFaces;
-      } else {
-        refused.push_back(t);
-      }
+  // Adds what fits in one layer and leaves the rest in `faces`. A layer takes its first face in any
+  // case, so this ends.
+  void addLayer(std::vector<std::uint32_t>& faces) {
+    copies_.assign(parts_.source.size(), VertexHandle());
+    std::vector<std::uint32_t> refused;
+    for (const std::uint32_t face : faces) {
+      const glm::uvec3& t = parts_.triangles[face];
+      if (addFace(copyOf(t.x), copyOf(t.y), copyOf(t.z)))
+        flipped_.push_back(parts_.flipped[face]);
+      else
+        refused.push_back(face);
     }
-    triangles = std::move(refused);
+    faces = std::move(refused);
   }
 
   VertexHandle copyOf(std::uint32_t vertex) {
     VertexHandle& copy = copies_[vertex];
     if (copy.is_valid()) return copy;
-    const glm::vec3& p = input_.positions[vertex];
-    copy = mesh_.add_vertex(Mesh::Point(p.x, p.y, p.z));
-    mesh_.status(copy).set_locked(input_.locked[vertex] != 0);
-    source_.push_back(vertex);
+    const std::uint32_t source = parts_.source[vertex];
+    const glm::vec3& p = input_.positions[source];
+    copy = mesh_.add_vertex(DecimationMesh::Point(p.x, p.y, p.z));
+    mesh_.status(copy).set_locked(input_.locked[source] != 0);
+    source_.push_back(source);
     return copy;
   }
 
-  // Asks first what add_face() would refuse, because it also prints a message when it does.
   bool addFace(VertexHandle a, VertexHandle b, VertexHandle c) {
     if (!mesh_.is_boundary(a) || !mesh_.is_boundary(b) || !mesh_.is_boundary(c)) return false;
     if (!isEdgeFree(a, b) || !isEdgeFree(b, c) || !isEdgeFree(c, a)) return false;
@@ -96,28 +90,39 @@ class LayeredMesh {
     return !h.is_valid() || mesh_.is_boundary(h);
   }
 
+  void countStats() {
+    std::vector<std::uint8_t> seen(input_.positions.size(), 0);
+    for (const std::uint32_t source : source_) {
+      if (seen[source] != 0 && input_.locked[source] == 0) ++stats_.splitVertices;
+      seen[source] = 1;
+    }
+    for (const std::uint8_t flipped : flipped_) stats_.flippedFaces += flipped;
+  }
+
   const SimplifierInput& input_;
   SimplifierStats& stats_;
-  Mesh mesh_;
-  std::vector<VertexHandle> copies_;   // of the input's vertices, in the current layer
+  ManifoldParts parts_;
+  DecimationMesh mesh_;
+  std::vector<VertexHandle> copies_;   // of the parts' vertices, in the current layer
   std::vector<std::uint32_t> source_;  // one a mesh vertex: the input's vertex
   std::vector<std::uint8_t> flipped_;  // one a mesh face
 };
 
 class OpenMeshSimplifier final : public Simplifier {
  public:
+  // OpenMesh prints each face that it refuses; those are dealt with here.
+  OpenMeshSimplifier() { omerr().disable(); }
+
   [[nodiscard]] std::vector<glm::uvec3> simplify(const SimplifierInput& input,
                                                  SimplifierStats& stats) const override {
     LayeredMesh layered(input, stats);
-    if (layered.mesh().n_faces() > input.targetTriangles) {
-      using Module = QuadricModule<Mesh>;
-      OpenMesh::Decimater::DecimaterT<Mesh> decimater(layered.mesh());
-      Module::Handle module;
-      decimater.add(module);
-      decimater.initialize();
-      decimater.decimate_to_faces(0, input.targetTriangles);
-      return layered.triangles();
-    }
+    if (layered.mesh().n_faces() <= input.targetTriangles) return layered.triangles();
+    using Module = QuadricModule<DecimationMesh>;
+    OpenMesh::Decimater::DecimaterT<DecimationMesh> decimater(layered.mesh());
+    Module::Handle module;
+    decimater.add(module);
+    decimater.initialize();
+    decimater.decimate_to_faces(0, input.targetTriangles);
     return layered.triangles();
   }
 };

@@ -21,7 +21,7 @@ struct SimplifierInput {
 
 // What had to be done to meshes that are not manifold; added up, not reset.
 struct SimplifierStats {
-  std::uint64_t splitVertices = 0;        // copies made where more than one surface passes
+  std::uint64_t splitVertices = 0;        // copies of free vertices where surfaces meet
   std::uint64_t flippedFaces = 0;         // turned to fit their neighbours, and turned back
   std::uint64_t degenerateTriangles = 0;  // left out: two equal corners
   std::uint64_t duplicateTriangles = 0;   // left out: the same three corners as another
