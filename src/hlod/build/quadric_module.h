@@ -4,49 +4,61 @@
 #include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 
+#include <algorithm>
+#include <cmath>
+
 namespace hlodbench {
 
-// Decimation module: the quadric error of a half-edge collapse (Garland and Heckbert 1997). It adds
-// to OpenMesh's own quadric module what open surfaces need, planes that stand on border edges, so
-// that a flat sheet does not shrink for free; and it refuses collapses that turn a face over.
+// Decimation module: the quadric error of a half-edge collapse (Garland and Heckbert 1997). It
+// differs from OpenMesh's own quadric module in four ways, each measured to be better here: border
+// edges have planes of their own, so that a flat sheet does not shrink for free; faces weigh by the
+// square root of their area, and the error is divided by the weights, so that thin parts are not
+// cheap; only the removed vertex's planes count; and no collapse may turn a face over.
 template <class MeshT>
 class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
   DECIMATING_MODULE(QuadricModule, MeshT, BorderQuadric)
 
-  explicit QuadricModule(MeshT& mesh) : Base(mesh, false) { Base::mesh().add_property(quadrics_); }
-  ~QuadricModule() override { Base::mesh().remove_property(quadrics_); }
+  explicit QuadricModule(MeshT& mesh) : Base(mesh, false) { mesh.add_property(planes_); }
+  ~QuadricModule() override { Base::mesh().remove_property(planes_); }
   QuadricModule(const QuadricModule&) = delete;
   QuadricModule& operator=(const QuadricModule&) = delete;
 
   void initialize() override {
     MeshT& mesh = Base::mesh();
-    for (auto vertex : mesh.vertices()) mesh.property(quadrics_, vertex).clear();
+    for (auto vertex : mesh.vertices()) mesh.property(planes_, vertex) = Planes();
     for (auto face : mesh.faces()) addFace(face);
   }
 
-  // The quadric error with area as weight, or ILLEGAL_COLLAPSE.
+  // The weighted mean of the squared distances to the removed vertex's planes, or ILLEGAL_COLLAPSE.
   float collapse_priority(const CollapseInfo& collapse) override {
     if (turnsFaceOver(collapse)) return static_cast<float>(Base::ILLEGAL_COLLAPSE);
-    Quadric q = Base::mesh().property(quadrics_, collapse.v0);
-    q += Base::mesh().property(quadrics_, collapse.v1);
+    const Planes& planes = Base::mesh().property(planes_, collapse.v0);
+    const double error = planes.weight > 0.0 ? planes.quadric(collapse.p1) / planes.weight : 0.0;
     // On flat ground all collapses cost nothing; the shortest edge first gives better triangles.
     const double tieBreak = kShortEdgeFirst * (collapse.p1 - collapse.p0).sqrnorm();
-    const double error = std::max(0.0, q(collapse.p1));
-    return static_cast<float>(error + tieBreak);
+    return static_cast<float>(std::max(0.0, error) + tieBreak);
   }
 
   void postprocess_collapse(const CollapseInfo& collapse) override {
-    Base::mesh().property(quadrics_, collapse.v1) += Base::mesh().property(quadrics_, collapse.v0);
+    const Planes& removed = Base::mesh().property(planes_, collapse.v0);
+    Base::mesh().property(planes_, collapse.v1).add(removed.quadric, removed.weight);
   }
 
  private:
   using Quadric = OpenMesh::Geometry::Quadricd;
   using Vector = OpenMesh::Vec3d;
-  static constexpr double kBorderWeight = 10.0;  // of a border plane, times edge length squared
-  static constexpr double kShortEdgeFirst =
-      1e-12;                                 // in the node's frame, so a fixed number will do
-  static constexpr double kMinCosine = 0.1;  // between a face's normals before and after
+  struct Planes {
+    Quadric quadric{};
+    double weight = 0.0;
+    void add(const Quadric& q, double w) {
+      quadric += q;
+      weight += w;
+    }
+  };
+  static constexpr double kBorderWeight = 10.0;  // of a border plane, times the edge's length
+  // In the node's frame, so a fixed number will do.
+  static constexpr double kShortEdgeFirst = 1e-12;
 
   [[nodiscard]] Vector point(typename MeshT::VertexHandle vertex) {
     return OpenMesh::vector_cast<Vector>(Base::mesh().point(vertex));
@@ -70,9 +82,10 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
     const double doubleArea = normal.norm();
     if (!(doubleArea > 0.0)) return;
     normal /= doubleArea;
-    const Quadric q = planeQuadric(normal, p0, 0.5 * doubleArea);
+    const double weight = std::sqrt(0.5 * doubleArea);
+    const Quadric q = planeQuadric(normal, p0, weight);
     for (const auto h : {h0, h1, h2}) {
-      mesh.property(quadrics_, mesh.to_vertex_handle(h)) += q;
+      mesh.property(planes_, mesh.to_vertex_handle(h)).add(q, weight);
       if (mesh.is_boundary(mesh.opposite_halfedge_handle(h))) addBorder(h, normal);
     }
   }
@@ -86,9 +99,10 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
     const double length = normal.norm();
     if (!(length > 0.0)) return;
     normal /= length;
-    const Quadric q = planeQuadric(normal, point(from), kBorderWeight * edge.sqrnorm());
-    mesh.property(quadrics_, from) += q;
-    mesh.property(quadrics_, to) += q;
+    const double weight = kBorderWeight * edge.norm();
+    const Quadric q = planeQuadric(normal, point(from), weight);
+    mesh.property(planes_, from).add(q, weight);
+    mesh.property(planes_, to).add(q, weight);
   }
 
   [[nodiscard]] bool turnsFaceOver(const CollapseInfo& collapse) {
@@ -100,16 +114,13 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
       const auto b = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
       const auto before = (a - collapse.p0) % (b - collapse.p0);
       const auto after = (a - collapse.p1) % (b - collapse.p1);
-      const double dot = before | after;
-      const double lengths = double(before.sqrnorm()) * double(after.sqrnorm());
       // A face without area has no side, so anything may happen to it; but none may be made.
-      if (before.sqrnorm() == 0.0f) continue;
-      if (dot <= 0.0 || dot * dot < kMinCosine * kMinCosine * lengths) return true;
+      if (before.sqrnorm() > 0.0f && (before | after) <= 0.0f) return true;
     }
     return false;
   }
 
-  OpenMesh::VPropHandleT<Quadric> quadrics_;
+  OpenMesh::VPropHandleT<Planes> planes_;
 };
 
 }  // namespace hlodbench
