@@ -1,0 +1,23 @@
+#include "build_options.h"
+
+namespace hlodbench {
+
+void addBuildOptions(CLI::App& command, BuildOptions& options) {
+  command
+      .add_option("--max-triangles", options.maxTriangles,
+                  "split a node above this, and simplify to it; triangles")
+      ->capture_default_str()
+      ->check(CLI::Range(16u, 1'000'000u));
+  command.add_option("--simplifier", options.simplifier, "openmesh, or meshopt where built in")
+      ->capture_default_str();
+  command
+      .add_option("--error-samples", options.errorSamples,
+                  "face points a node from which its error is measured, besides its vertices")
+      ->capture_default_str()
+      ->check(CLI::Range(100u, 10'000'000u));
+  command.add_option("--threads", options.threads, "threads for building; 0: one a core")
+      ->capture_default_str()
+      ->check(CLI::Range(0u, 1024u));
+}
+
+}  // namespace hlodbench

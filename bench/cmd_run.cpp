@@ -1,0 +1,96 @@
+#include <memory>
+
+#include "build_options.h"
+#include "commands.h"
+#include "hierarchy_store.h"
+#include "hlod/core/error.h"
+#include "run.h"
+
+namespace hlodbench {
+namespace {
+
+void addTraversalOptions(CLI::App& sub, TraversalOptions& t) {
+  sub.add_option("--tau", t.tau, "pixels of error: refine while the error is above it; pixels, > 0")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6).description(""));
+  sub.add_option("--s", t.bias.s, "smoothness of the bias, 0 (B = mu) to 1 (sigmoid)")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0).description(""));
+  sub.add_option("--t", t.bias.t, "turn-over point of the bias, 0 (conservative) to 1")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0).description(""));
+  sub.add_option("--exponent", t.bias.exponent,
+                 "steepness of the sigmoid (reconstruction), 1 to 100")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 100.0).description(""));
+  sub.add_option("--stale-children", t.staleChildren,
+                 "children not visited in the last frame: skip them, or read Fig. 3 literally")
+      ->default_str("skip")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, StaleChildren>{
+          {"skip", StaleChildren::kSkip}, {"literal", StaleChildren::kLiteral}}));
+  sub.add_option("--zero-pixels", t.zeroPixels,
+                 "bias of a node that passes no pixel: zero, or literal (Fig. 2 leaves it)")
+      ->default_str("zero")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ZeroPixels>{
+          {"zero", ZeroPixels::kZeroBias}, {"literal", ZeroPixels::kLiteral}}));
+  sub.add_option("--simp", t.simpEstimate,
+                 "Simp(B), a reconstruction: bias of the last node processed, or their mean")
+      ->default_str("last")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SimpEstimate>{
+          {"last", SimpEstimate::kLastProcessed}, {"mean", SimpEstimate::kRunningMean}}));
+}
+
+void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
+  sub.add_option("--repetitions", o.repetitions, "replays of the session by each strategy")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10000));
+  sub.add_option("--warm-up", o.replay.warmUpFrames,
+                 "first frames of the session that enter no average")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100000));
+  sub.add_option("--frames-in-flight", o.replay.framesInFlight,
+                 "frames the CPU may run ahead, as with a swap chain; 0 finishes each frame")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 16));
+  sub.add_option("--latency", o.latency,
+                 "when query results are there: gl (the driver's), frames:N or draws:N after the "
+                 "query (exactly repeatable counts)")
+      ->capture_default_str();
+  sub.add_option("--seed", o.seed, "order of the strategies in each repetition, and the bootstrap")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
+  auto o = std::make_shared<RunOptions>();
+  o->cache = getDefaultCacheFolder();
+  CLI::App* sub = app.add_subcommand("run", "Replay a session with each strategy and log it");
+  sub->add_option("--scene", o->scene,
+                  "hierarchy (.hlod), or a scene or mesh file to build it from")
+      ->required();
+  sub->add_option("--session", o->session, "camera session (.json)")->required();
+  sub->add_option("--out", o->out, "result folder; must be new or empty")->required();
+  sub->add_option("--strategy", o->strategies, "strategies, see `hlodbench list`; comma-separated")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--context", o->context, "auto, egl or osmesa")->capture_default_str();
+  sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");
+  addMeasuringOptions(*sub, *o);
+  addTraversalOptions(*sub, o->traversal);
+  sub->add_option("--trace", o->trace,
+                  "write every decision of the first repetition as JSON Lines; with several "
+                  "strategies, one file each, its name inserted before the extension");
+  sub->add_option("--images", o->images,
+                  "frames to write as PNG in an untimed pass, comma-separated")
+      ->delimiter(',');
+  sub->add_option("--cache", o->cache, "folder of hierarchies built from a scene file")
+      ->capture_default_str();
+  sub->add_flag("--gl-debug", o->glDebug, "stop at every OpenGL error (on in debug builds)");
+  addBuildOptions(*sub, o->build);
+  sub->callback([o, arguments] {
+    if (!run(*o, arguments)) throw CLI::RuntimeError(static_cast<int>(ExitCode::kCheckFailed));
+  });
+}
+
+}  // namespace hlodbench

@@ -1,0 +1,83 @@
+#include "hierarchy_store.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "hlod/core/error.h"
+#include "hlod/scene/scene_file.h"
+#include "progress_line.h"
+
+namespace hlodbench {
+namespace {
+
+// "scene1" for scene1.scene.json, scene1.hlod, scene1.ply.gz.
+std::string nameOf(const std::filesystem::path& path) {
+  std::string name = path.filename().string();
+  return name.substr(0, name.find('.', 1));
+}
+
+bool isUpToDate(const std::filesystem::path& file, std::uint64_t sceneHash,
+                const std::string& options) {
+  if (!std::filesystem::exists(file)) return false;
+  const HlodFileInfo info = readHlodFileInfo(file);
+  return info.sceneHash == sceneHash && info.options == options;
+}
+
+}  // namespace
+
+StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
+                             const std::filesystem::path& file, const BuildOptions& options) {
+  const std::uint64_t sceneHash = computeSceneHash(scenePath);
+  const std::string optionText = canonicalOptions(options);
+  StoredHierarchy stored;
+  stored.sceneName = nameOf(scenePath);
+  stored.file = file;
+  if (isUpToDate(file, sceneHash, optionText)) {
+    stored.hierarchy = readHlodFile(file, &stored.info);
+    return stored;
+  }
+  if (const std::filesystem::path folder = file.parent_path(); !folder.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+      throw InputError(fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
+  }
+  {
+    ProgressLine line("building " + stored.sceneName);
+    // reading takes the small first part of the time
+    constexpr double kReading = 0.1;
+    const Scene scene = readScene(scenePath, [&](const std::string& stage, double share) {
+      line.update(stage, kReading * share);
+    });
+    stored.report.emplace();
+    stored.hierarchy = buildHierarchy(scene.mesh, options, *stored.report,
+                                      [&](const std::string& stage, double share) {
+                                        line.update(stage, kReading + (1.0 - kReading) * share);
+                                      });
+  }
+  stored.info.sceneHash = sceneHash;
+  stored.info.options = optionText;
+  writeHlodFile(file, stored.hierarchy, stored.info);
+  stored.info = readHlodFileInfo(file);
+  return stored;
+}
+
+StoredHierarchy openHierarchy(const std::filesystem::path& path,
+                              const std::filesystem::path& cacheFolder,
+                              const BuildOptions& options) {
+  if (path.extension() != ".hlod")
+    return buildOrReuse(path, cacheFolder / (nameOf(path) + ".hlod"), options);
+  StoredHierarchy stored;
+  stored.sceneName = nameOf(path);
+  stored.file = path;
+  stored.hierarchy = readHlodFile(path, &stored.info);
+  return stored;
+}
+
+std::filesystem::path getDefaultCacheFolder() {
+  const char* folder = std::getenv("HLODBENCH_CACHE");
+  return folder != nullptr && *folder != '\0' ? folder : ".cache";
+}
+
+}  // namespace hlodbench

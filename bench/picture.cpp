@@ -1,0 +1,21 @@
+#include "picture.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "hlod/core/error.h"
+
+namespace hlodbench {
+
+void writePicture(const std::filesystem::path& path, const Image& image) {
+  const auto file = OIIO::ImageOutput::create(path.string());
+  if (!file) throw InputError(fmt::format("{}: {}", path.string(), OIIO::geterror()));
+  // colour only: alpha tells where something was drawn, not how opaque it is
+  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+  constexpr OIIO::stride_t kPixel = 4;
+  if (!file->open(path.string(), spec) ||
+      !file->write_image(OIIO::TypeDesc::UINT8, image.pixels.data(), kPixel) || !file->close())
+    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), file->geterror()));
+}
+
+}  // namespace hlodbench

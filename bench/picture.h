@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "hlod/render/framebuffer.h"
+
+namespace hlodbench {
+
+// Writes an image through OpenImageIO, in the format that the file's extension names (PNG, EXR,
+// ...). Throws InputError with the file and the library's reason.
+void writePicture(const std::filesystem::path& path, const Image& image);
+
+}  // namespace hlodbench

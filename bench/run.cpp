@@ -1,0 +1,237 @@
+#include "run.h"
+
+#include <fmt/format.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "case_plan.h"
+#include "hierarchy_store.h"
+#include "hlod/core/error.h"
+#include "hlod/render/gl_context.h"
+#include "hlod/render/gl_query_source.h"
+#include "interrupt.h"
+#include "metrics/frame_csv.h"
+#include "metrics/result_json.h"
+#include "metrics/text_file.h"
+#include "picture.h"
+#include "progress_line.h"
+#include "result_folder.h"
+#include "run_options_json.h"
+#include "trace_file.h"
+#include "traversals/registry.h"
+
+namespace hlodbench {
+namespace {
+
+#ifdef NDEBUG
+constexpr bool kDebugBuild = false;
+#else
+constexpr bool kDebugBuild = true;
+#endif
+
+constexpr int kMaxViewport = 16384;  // what OpenGL implementations commonly allow
+
+void applySize(const std::string& size, Lens& lens) {
+  if (size.empty()) return;
+  const char* end = size.data() + size.size();
+  const auto width = std::from_chars(size.data(), end, lens.width);
+  const bool hasX = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = std::from_chars(hasX ? width.ptr + 1 : end, end, lens.height);
+  if (!hasX || height.ec != std::errc() || height.ptr != end || lens.width < 1 || lens.height < 1 ||
+      lens.width > kMaxViewport || lens.height > kMaxViewport)
+    throw InputError(
+        fmt::format("--size: expected WIDTHxHEIGHT, each 1 to {}, found '{}'", kMaxViewport, size));
+}
+
+std::uint64_t hashText(const std::string& text) {
+  return XXH3_64bits(text.data(), text.size());
+}
+
+// trace.jsonl of several strategies: trace.coh-b.jsonl and so on.
+std::filesystem::path nameTrace(const RunOptions& options, const std::string& strategy) {
+  if (options.strategies.size() == 1) return options.trace;
+  return options.trace.parent_path() /
+         (options.trace.stem().string() + "." + strategy + options.trace.extension().string());
+}
+
+void checkOptions(const RunOptions& options, const Session& session) {
+  if (options.strategies.empty()) throw InputError("--strategy: expected at least one, found none");
+  for (const std::string& strategy : options.strategies) {
+    findStrategy(strategy);
+    if (std::count(options.strategies.begin(), options.strategies.end(), strategy) > 1)
+      throw InputError(fmt::format("--strategy: expected each once, found '{}' twice", strategy));
+    if (!options.trace.empty() && std::filesystem::exists(nameTrace(options, strategy)))
+      throw InputError(fmt::format("--trace {}: expected a new file, found one that exists",
+                                   nameTrace(options, strategy).string()));
+  }
+  const int frames = static_cast<int>(session.poses.size());
+  if (options.replay.warmUpFrames >= frames)
+    throw InputError(fmt::format("--warm-up: expected fewer than the session's {} frames, found {}",
+                                 frames, options.replay.warmUpFrames));
+  for (const int frame : options.images)
+    if (frame < 0 || frame >= frames)
+      throw InputError(
+          fmt::format("--images: expected frames 0 to {}, found {}", frames - 1, frame));
+}
+
+void announce(const GlContext& context) {
+  for (const std::string& line : context.tried) fmt::print(stderr, "  {}\n", line);
+  fmt::print(stderr, "context {}: {}; {}, OpenGL {}\n", context.name, context.detail,
+             context.renderer, context.version);
+}
+
+// One run: what all its replays share.
+class Runner {
+ public:
+  Runner(const RunOptions& options, const std::vector<std::string>& arguments)
+      : options_(options), latency_(parseLatency(options.latency)) {
+    session_ = readSession(options.session);
+    applySize(options.size, session_.lens);
+    checkOptions(options, session_);
+    stored_ = openHierarchy(options.scene, options.cache, options.build);
+    makeResultFolder(options.out);
+    context_ = createContext(options.context, {options.glDebug || kDebugBuild});
+    announce(*context_);
+    renderer_ =
+        std::make_unique<Renderer>(stored_.hierarchy, session_.lens.width, session_.lens.height);
+    glQueries_ = std::make_unique<GlQuerySource>(*renderer_, stored_.hierarchy.nodes.size());
+    queries_ = wrapQuerySource(*glQueries_, latency_, stored_.hierarchy.nodes.size());
+    plan_ = planCases(options.strategies, options.repetitions, options.seed);
+    describe(arguments);
+  }
+
+  bool runAll() {
+    catchInterrupts();
+    {
+      ProgressLine line(fmt::format("replaying {}", session_.name));
+      for (std::size_t i = 0; i < plan_.size() && !isInterrupted(); ++i) {
+        runCase(plan_[i], static_cast<int>(i), line);
+        // after each case: whatever happens next, what is complete stays
+        finishRun(result_, plan_);
+        writeRunResult(options_.out, result_);
+      }
+    }
+    if (!isInterrupted()) writePictures();
+    bool failed = false;
+    for (const CaseResult& c : result_.cases)
+      if (c.error) {
+        fmt::print(stderr, "hlodbench: {} repetition {} failed: {}\n", c.key.strategy,
+                   c.key.repetition, *c.error);
+        failed = true;
+      }
+    if (!result_.complete)
+      fmt::print(stderr, "hlodbench: interrupted; {} of {} replays are complete in {}\n",
+                 result_.cases.size(), plan_.size(), options_.out.string());
+    return result_.complete && !failed;
+  }
+
+ private:
+  void describe(const std::vector<std::string>& arguments) {
+    result_.environment =
+        readEnvironment(arguments, {context_->vendor, context_->renderer, context_->version});
+    result_.warnings = computeWarnings(result_.environment);
+    for (const std::string& warning : result_.warnings)
+      fmt::print(stderr, "warning: {}\n", warning);
+    result_.scene = {stored_.sceneName,
+                     fmt::format("{:016x}", stored_.info.contentHash),
+                     stored_.hierarchy.inputTriangles,
+                     stored_.hierarchy.nodes.size(),
+                     {{"options", stored_.info.options},
+                      {"scene_hash", fmt::format("{:016x}", stored_.info.sceneHash)}}};
+    result_.session = {session_.name,
+                       fmt::format("{:016x}", hashText(readTextFile(options_.session))),
+                       static_cast<int>(session_.poses.size())};
+    result_.options = toJson(options_, session_.lens);
+    result_.framesInFlight = options_.replay.framesInFlight;
+    result_.warmUpFrames = options_.replay.warmUpFrames;
+    result_.repetitions = options_.repetitions;
+  }
+
+  void runCase(const CaseKey& key, int order, ProgressLine& line) {
+    const StrategyInfo& info = findStrategy(key.strategy);
+    CaseResult result{key, std::string(info.label), order, "", std::nullopt, std::nullopt};
+    try {
+      const std::vector<FrameRecord> records = replay(info, key.repetition, order, line);
+      if (isInterrupted() && records.size() < session_.poses.size()) return;
+      result.csv = fmt::format("{}.{}.csv", key.strategy, key.repetition);
+      writeFrameCsv(options_.out / result.csv, records);
+      result.summary = computeSummary(records);
+    } catch (const InputError&) {
+      throw;  // a full disk or the like: nothing after it can succeed
+    } catch (const std::exception& error) {
+      result.csv.clear();
+      result.error = error.what();
+    }
+    result_.cases.push_back(std::move(result));
+  }
+
+  std::vector<FrameRecord> replay(const StrategyInfo& info, int repetition, int order,
+                                  ProgressLine& line) {
+    const auto strategy = info.make(stored_.hierarchy, options_.traversal);
+    ReplayHooks hooks;
+    hooks.isInterrupted = isInterrupted;
+    hooks.onFrame = [&](int frame) {
+      const double done = order + static_cast<double>(frame + 1) / session_.poses.size();
+      line.update(
+          fmt::format("{}, repetition {} of {}", info.label, repetition + 1, options_.repetitions),
+          done / plan_.size());
+    };
+    std::vector<TracedFrame> traced;
+    const bool tracing = !options_.trace.empty() && repetition == 0;
+    // written after the replay, so that the disk takes no part in the timings
+    if (tracing) hooks.onTrace = [&](TracedFrame&& f) { traced.push_back(std::move(f)); };
+    std::vector<FrameRecord> records =
+        replaySession(session_, *strategy, *renderer_, *queries_, options_.replay, hooks);
+    if (tracing && !isInterrupted()) writeTrace(std::string(info.name), traced);
+    return records;
+  }
+
+  void writeTrace(const std::string& strategy, const std::vector<TracedFrame>& frames) {
+    TraceFile file(nameTrace(options_, strategy), {strategy, options_.traversal, session_.lens,
+                                                   latency_, stored_.info.contentHash});
+    for (const TracedFrame& frame : frames) file.writeFrame(frame);
+    file.finish();
+  }
+
+  void writePictures() {
+    if (options_.images.empty()) return;
+    const std::filesystem::path folder = options_.out / "images";
+    makeResultFolder(folder);
+    ProgressLine line("pictures");
+    for (const std::string& name : options_.strategies) {
+      const auto strategy = findStrategy(name).make(stored_.hierarchy, options_.traversal);
+      ReplayHooks hooks;
+      hooks.isInterrupted = isInterrupted;
+      hooks.onFrame = [&](int frame) {
+        line.update(name, static_cast<double>(frame) / session_.poses.size());
+        if (std::find(options_.images.begin(), options_.images.end(), frame) !=
+            options_.images.end())
+          writePicture(folder / fmt::format("{}.{:05}.png", name, frame), renderer_->readColor());
+      };
+      replaySession(session_, *strategy, *renderer_, *queries_, options_.replay, hooks);
+    }
+  }
+
+  const RunOptions& options_;
+  Latency latency_;
+  Session session_;
+  StoredHierarchy stored_;
+  std::unique_ptr<GlContext> context_;  // before everything that lives in it
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<GlQuerySource> glQueries_;
+  std::unique_ptr<QuerySource> queries_;
+  std::vector<CaseKey> plan_;
+  RunResult result_;
+};
+
+}  // namespace
+
+bool run(const RunOptions& options, const std::vector<std::string>& arguments) {
+  return Runner(options, arguments).runAll();
+}
+
+}  // namespace hlodbench

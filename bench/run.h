@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hlod/build/hierarchy_builder.h"
+#include "latency.h"
+#include "replay.h"
+#include "traversals/options.h"
+
+namespace hlodbench {
+
+// Everything `hlodbench run` can be told; the JSON it writes stores the same.
+struct RunOptions {
+  std::filesystem::path scene, session, out;
+  std::filesystem::path cache;
+  std::vector<std::string> strategies{"bool", "sw-b", "simp-b", "coh-b"};
+  int repetitions = 1;
+  std::string context = "auto";
+  bool glDebug = false;
+  std::string size;  // "WxH", empty: the session's viewport
+  TraversalOptions traversal;
+  std::string latency = "gl";
+  std::filesystem::path trace;
+  std::uint64_t seed = 1;  // order of the strategies within each repetition, and the bootstrap
+  ReplayOptions replay;
+  std::vector<int> images;  // frames to write as pictures, in an untimed pass
+  BuildOptions build;
+};
+
+// Replays the session with every strategy, `repetitions` times, in random order within each
+// repetition, and writes the result folder; see docs/results.md for what is in it. What is finished
+// is written at once, so that an interrupted run leaves it. Returns false when a case failed or the
+// run was interrupted. Throws InputError and GlUnavailable.
+bool run(const RunOptions& options, const std::vector<std::string>& arguments);
+
+}  // namespace hlodbench

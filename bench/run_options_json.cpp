@@ -1,0 +1,25 @@
+#include "run_options_json.h"
+
+namespace hlodbench {
+
+nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
+  const TraversalOptions& t = options.traversal;
+  return {
+      {"strategies", options.strategies},
+      {"repetitions", options.repetitions},
+      {"context", options.context},
+      {"viewport", {lens.width, lens.height}},
+      {"tau", t.tau},
+      {"s", t.bias.s},
+      {"t", t.bias.t},
+      {"exponent", t.bias.exponent},
+      {"stale_children", t.staleChildren == StaleChildren::kSkip ? "skip" : "literal"},
+      {"zero_pixels", t.zeroPixels == ZeroPixels::kZeroBias ? "zero" : "literal"},
+      {"simp", t.simpEstimate == SimpEstimate::kLastProcessed ? "last" : "mean"},
+      {"latency", options.latency},
+      {"seed", options.seed},
+      {"traced", !options.trace.empty()},
+  };
+}
+
+}  // namespace hlodbench
