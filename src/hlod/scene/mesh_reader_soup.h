@@ -44,8 +44,8 @@ class SoupImporter final : public OpenMesh::IO::BaseImporter {
                                    fileName_, faces_, corners.size()));
     corners_.clear();
     for (const OpenMesh::VertexHandle corner : corners) {
-      // An index of 2^31 or more arrives as a negative one.
-      if (corner.idx() < 0 || static_cast<std::uint64_t>(corner.idx()) >= vertices_)
+      // An index of 2^31 or more arrives as a negative one, which is too large without its sign.
+      if (static_cast<std::uint64_t>(corner.idx()) >= vertices_)
         throw InputError(
             fmt::format("{}: face {} (from 0): expected vertices 0 to {}, found vertex {}",
                         fileName_, faces_, static_cast<std::int64_t>(vertices_) - 1, corner.idx()));
