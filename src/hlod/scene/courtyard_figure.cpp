@@ -32,7 +32,7 @@ Body makeRobe(const Stance& stance, Random& random) {
   const double swirl = random.uniform(-1.8, 1.8);
   const std::uint64_t seed = random.next();
   return makeTurned(
-      profile, kDetail,
+      profile, 1.3 * kDetail,
       [=](const TurnedPoint& p) {
         const double low = 1.0 - computeStep(0.2, 1.1, p.y);
         const double cloth = 1.0 - computeStep(1.30, 1.45, p.y);
@@ -41,7 +41,7 @@ Body makeRobe(const Stance& stance, Random& random) {
         const double crease =
             1.0 - std::abs(std::sin(folds * (p.angle + swirl * p.y) + 1.4 * wave * cloth));
         const double fold = crease - 0.4;
-        const double r = p.radius * (1.0 + cloth * ((0.05 + 0.12 * low) * fold + 0.05 * wave));
+        const double r = p.radius * (1.0 + cloth * ((0.09 + 0.10 * low) * fold + 0.06 * wave));
         const double wide = 1.0 + 0.28 * computeStep(1.0, 1.3, p.y) * cloth;
         return glm::dvec3(stance.shift(p.y) + r * wide * std::cos(p.angle), p.y,
                           0.82 * r * std::sin(p.angle));
@@ -52,7 +52,7 @@ Body makeRobe(const Stance& stance, Random& random) {
 Body makeHead(const Stance& stance, Random& random) {
   const std::uint64_t seed = random.next();
   const double turn = random.uniform(-0.6, 0.6);
-  const Body head = makeSphere(0.14, kDetail * 1.3, [seed](const glm::dvec3& d) {
+  const Body head = makeSphere(0.14, kDetail * 2.6, [seed](const glm::dvec3& d) {
     const double nose = std::exp(-90.0 * (d.x * d.x + (d.y + 0.05) * (d.y + 0.05)));
     const double brow = std::exp(-60.0 * (d.y - 0.22) * (d.y - 0.22)) * std::exp(-6.0 * d.x * d.x);
     const double eyes = std::exp(

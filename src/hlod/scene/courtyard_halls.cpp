@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "hlod/scene/courtyard_exhibit.h"
@@ -55,8 +57,9 @@ void planAmbulatory(int side, Random& random, Plans& plans) {
   constexpr double kLine = kHallWall - 0.85;
   int number = 0;
   for (const double x : {-10.6, -3.93, 3.93}) {
-    const int lot = random.below(kSculptureKinds + 2);  // figures come three times as often
-    const int kind = lot < kSculptureKinds ? lot : 0;
+    // The middle one is always a figure: each side has one, and visitors can count on it.
+    const int lot = random.below(kSculptureKinds);
+    const int kind = x == -3.93 ? 0 : lot;
     addSculpture(fmt::format("{} sculpture {}", name, ++number), kind, 0.7, place(x, kLine), random,
                  plans);
   }
@@ -114,10 +117,10 @@ void planForecourt(Random& random, Plans& plans) {
   SidePlacer place(0, random);
   for (const double x : {-2.4, 2.4}) {
     const char* side = x < 0 ? "left" : "right";
-    plans.push_back(movedObject({fmt::format("gate cypress {}", side),
-                                 pickColor(Material::kLeaf, random),
-                                 {makeCypress(random, 2.6)}},
-                                place(1.6 * x, 17.6)));
+    ObjectPlan cypress{
+        fmt::format("gate cypress {}", side), pickColor(Material::kLeaf, random), {}};
+    cypress.bodies.push_back(makeCypress(random, 2.6));
+    plans.push_back(movedObject(std::move(cypress), place(1.6 * x, 17.6)));
     addPlanter(fmt::format("gate planter {}", side), place(x, 17.0), random, plans);
   }
 }

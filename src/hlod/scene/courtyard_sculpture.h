@@ -8,8 +8,8 @@ namespace hlodbench::courtyard {
 
 inline constexpr int kSculptureKinds = 6;
 
-// One of the sculptures below, by number: 0 to kSculptureKinds - 1; 1.0 to 2.0 m high without
-// pedestal and at most 0.5 m from the axis.
+// One of the sculptures below, by number: 0 to kSculptureKinds - 1; 0.9 to 1.9 m high without
+// pedestal and at most 0.65 m from the axis.
 std::vector<Body> makeSculpture(int kind, Random& random);
 
 std::vector<Body> makeFigure(Random& random);      // a draped standing figure, about 1.8 m
