@@ -107,17 +107,27 @@ class LodMaker {
     const NodeFrame frame(node.box);
     std::vector<glm::vec3> positions(vertices.size());
     std::vector<std::uint8_t> locked(vertices.size());
+    std::size_t lockedVertices = 0;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       positions[v] = frame.toLocal(mesh_.positions[vertices[v]]);
       locked[v] = locks_.isLocked(vertices[v], node.begin, node.end) ? 1 : 0;
-      worker.lockedVertices += locked[v];
+      lockedVertices += locked[v];
     }
-    std::vector<glm::uvec3> result =
-        simplifier_->simplify({positions, triangles, locked, options_.maxTriangles}, worker.stats);
+    worker.lockedVertices += lockedVertices;
+    std::vector<glm::uvec3> result = simplifier_->simplify(
+        {positions, triangles, locked, targetTriangles(lockedVertices)}, worker.stats);
     // A node of nothing but degenerate triangles keeps one: every node has something to draw.
     if (result.empty()) result.push_back(triangles.front());
     for (glm::uvec3& t : result) t = {vertices[t.x], vertices[t.y], vertices[t.z]};
     return result;
+  }
+
+  // A surface with L vertices on its border and I inside has about L + 2 I triangles. Where locked
+  // vertices alone would use up the limit, the inside still gets half of it: held to the limit, the
+  // surface would collapse to its border.
+  [[nodiscard]] std::size_t targetTriangles(std::size_t lockedVertices) const {
+    const std::size_t limit = options_.maxTriangles;
+    return std::max(limit, lockedVertices + limit / 2);
   }
 
   const WeldedMesh& mesh_;

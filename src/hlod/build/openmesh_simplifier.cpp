@@ -3,6 +3,8 @@
 #include <OpenMesh/Core/System/omstream.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 
+#include <iterator>
+
 #include "hlod/build/decimation_mesh.h"
 #include "hlod/build/manifold_parts.h"
 #include "hlod/build/quadric_module.h"
@@ -32,6 +34,11 @@ class LayeredMesh {
   }
 
   [[nodiscard]] DecimationMesh& mesh() { return mesh_; }
+
+  // The number of faces that are not removed.
+  [[nodiscard]] std::size_t faceCount() const {
+    return static_cast<std::size_t>(std::distance(mesh_.faces_sbegin(), mesh_.faces_end()));
+  }
 
   // What is left, as triangles over the input's vertices, each with the winding it came with.
   [[nodiscard]] std::vector<glm::uvec3> triangles() const {
@@ -123,6 +130,13 @@ class OpenMeshSimplifier final : public Simplifier {
     decimater.add(module);
     decimater.initialize();
     decimater.decimate_to_faces(0, input.targetTriangles);
+    const std::size_t left = layered.faceCount();
+    if (left > input.targetTriangles) {
+      // Stuck among folded faces: a fold more or less is better than a node over its budget. The
+      // decimater counts removed faces as there, so they are added to its target.
+      decimater.module(module).guardFaces(false);
+      decimater.decimate_to_faces(0, input.targetTriangles + layered.mesh().n_faces() - left);
+    }
     return layered.triangles();
   }
 };

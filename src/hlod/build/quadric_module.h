@@ -13,7 +13,8 @@ namespace hlodbench {
 // differs from OpenMesh's own quadric module in four ways, each measured to be better here: border
 // edges have planes of their own, so that a flat sheet does not shrink for free; faces weigh by the
 // square root of their area, and the error is divided by the weights, so that thin parts are not
-// cheap; only the removed vertex's planes count; and no collapse may turn a face over.
+// cheap; only the removed vertex's planes count; and no collapse may turn a face over while there
+// is another way.
 template <class MeshT>
 class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -24,6 +25,9 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
   QuadricModule(const QuadricModule&) = delete;
   QuadricModule& operator=(const QuadricModule&) = delete;
 
+  // Whether collapses that turn a face over are refused; they are to begin with.
+  void guardFaces(bool guarded) { guarded_ = guarded; }
+
   void initialize() override {
     MeshT& mesh = Base::mesh();
     for (auto vertex : mesh.vertices()) mesh.property(planes_, vertex) = Planes();
@@ -32,7 +36,7 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   // The weighted mean of the squared distances to the removed vertex's planes, or ILLEGAL_COLLAPSE.
   float collapse_priority(const CollapseInfo& collapse) override {
-    if (turnsFaceOver(collapse)) return static_cast<float>(Base::ILLEGAL_COLLAPSE);
+    if (guarded_ && turnsFaceOver(collapse)) return static_cast<float>(Base::ILLEGAL_COLLAPSE);
     const Planes& planes = Base::mesh().property(planes_, collapse.v0);
     const double error = planes.weight > 0.0 ? planes.quadric(collapse.p1) / planes.weight : 0.0;
     // On flat ground all collapses cost nothing; the shortest edge first gives better triangles.
@@ -121,6 +125,7 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
   OpenMesh::VPropHandleT<Planes> planes_;
+  bool guarded_ = true;
 };
 
 }  // namespace hlodbench

@@ -1,0 +1,44 @@
+#include "hlod/tree/file_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "hlod/core/error.h"
+
+namespace hlodbench {
+
+void failOnFile(const std::filesystem::path& path, const std::string& reason) {
+  throw InputError(fmt::format("{}: {}", path.string(), reason));
+}
+
+std::string systemReason() {
+  return std::strerror(errno);
+}
+
+void writeAll(int fd, const void* data, std::size_t bytes, const std::filesystem::path& path) {
+  const char* at = static_cast<const char*>(data);
+  while (bytes > 0) {
+    const ssize_t written = ::write(fd, at, std::min(bytes, kFileChunk));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) failOnFile(path, fmt::format("cannot write: {}", systemReason()));
+    at += written;
+    bytes -= static_cast<std::size_t>(written);
+  }
+}
+
+void readAll(int fd, void* data, std::size_t bytes, const std::filesystem::path& path) {
+  char* at = static_cast<char*>(data);
+  while (bytes > 0) {
+    const ssize_t got = ::read(fd, at, std::min(bytes, kFileChunk));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) failOnFile(path, fmt::format("cannot read: {}", systemReason()));
+    if (got == 0) failOnFile(path, "truncated while it was read");
+    at += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
+}
+
+}  // namespace hlodbench
