@@ -100,9 +100,14 @@ class LodMaker {
   std::vector<glm::uvec3> simplifyChildren(const OctreeNode& node, Worker& worker) const {
     worker.local.reset();
     std::vector<glm::uvec3> triangles;
-    for (NodeId child = node.firstChild; child < node.firstChild + node.childCount; ++child)
+    std::vector<std::uint8_t> origins;
+    for (std::uint32_t i = 0; i < node.childCount; ++i) {
+      const NodeId child = node.firstChild + i;
       for (const glm::uvec3& t : lodTriangles(mesh_, tree_.nodes[child], lods_[child]))
         triangles.emplace_back(worker.local.add(t.x), worker.local.add(t.y), worker.local.add(t.z));
+      origins.resize(triangles.size(),
+                     tree_.nodes[child].isLeaf() ? static_cast<std::uint8_t>(i) : kNotOriginal);
+    }
     const std::vector<std::uint32_t>& vertices = worker.local.vertices();
     const NodeFrame frame(node.box);
     std::vector<glm::vec3> positions(vertices.size());
@@ -115,7 +120,7 @@ class LodMaker {
     }
     worker.lockedVertices += lockedVertices;
     std::vector<glm::uvec3> result = simplifier_->simplify(
-        {positions, triangles, locked, targetTriangles(lockedVertices)}, worker.stats);
+        {positions, triangles, locked, origins, targetTriangles(lockedVertices)}, worker.stats);
     // A node of nothing but degenerate triangles keeps one: every node has something to draw.
     if (result.empty()) result.push_back(triangles.front());
     for (glm::uvec3& t : result) t = {vertices[t.x], vertices[t.y], vertices[t.z]};

@@ -37,10 +37,11 @@ class MeshoptSimplifier final : public Simplifier {
   [[nodiscard]] std::vector<glm::uvec3> simplify(const SimplifierInput& input,
                                                  SimplifierStats& stats) const override {
     SimplifierStats own;
-    std::vector<glm::uvec3> triangles = removeUselessTriangles(input.triangles, own);
+    std::vector<glm::uvec3> triangles = removeUselessTriangles(input, own);
     if (triangles.size() > input.targetTriangles) {
       std::vector<glm::uvec3> simplified = simplifyWithFins(input, triangles);
-      if (!keepsLockedVertices(input, triangles, simplified)) {
+      const bool stuck = simplified.size() > input.targetTriangles * 5 / 4;
+      if (stuck || !keepsLockedVertices(input, triangles, simplified)) {
         ++stats.fallbacks;
         return fallback_->simplify(input, stats);
       }

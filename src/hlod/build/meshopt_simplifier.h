@@ -15,9 +15,10 @@ inline constexpr bool kHaveMeshoptimizer = false;
 
 // meshoptimizer's meshopt_simplify, with locked borders. The library locks topological borders
 // only, so each locked vertex that is not on one is made one by a small fin (a triangle of its own
-// to two vertices of its own), taken away afterwards. If a locked vertex is lost nevertheless, the
-// node goes to the OpenMesh simplifier, which is counted as a fallback.
-// Null where the library is not there.
+// to two vertices of its own), taken away afterwards. Where a locked vertex is lost
+// nevertheless, or more than 5/4 of the target is left (it moves no vertex where surfaces meet),
+// the node goes to the OpenMesh simplifier, which is counted as a fallback. Null where the library
+// is not there.
 std::unique_ptr<Simplifier> createMeshoptSimplifier();
 
 }  // namespace hlodbench

@@ -24,7 +24,7 @@ class LayeredMesh {
     mesh_.request_vertex_status();
     mesh_.request_edge_status();
     mesh_.request_face_status();
-    parts_ = computeManifoldParts(removeUselessTriangles(input.triangles, stats));
+    parts_ = computeManifoldParts(removeUselessTriangles(input, stats));
     mesh_.reserve(parts_.source.size() + 16, parts_.triangles.size() * 3 / 2 + 256,
                   parts_.triangles.size() + 16);
     std::vector<std::uint32_t> faces(parts_.triangles.size());

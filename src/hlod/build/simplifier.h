@@ -11,12 +11,18 @@
 
 namespace hlodbench {
 
+// SimplifierInput::origins of triangles that simplification made.
+inline constexpr std::uint8_t kNotOriginal = 0xff;
+
 // What a simplifier works on: the mesh of one node.
 struct SimplifierInput {
   std::span<const glm::vec3> positions;   // in the node's frame: every coordinate within -1 .. 1
   std::span<const glm::uvec3> triangles;  // indices into positions; may be non-manifold
   std::span<const std::uint8_t> locked;   // one a vertex: 1 = must stay, where it is
-  std::size_t targetTriangles = 0;        // wanted; more may be left where nothing can go
+  // One a triangle, or empty when all are original: which leaf it is an original triangle of, or
+  // kNotOriginal when it is of a LOD.
+  std::span<const std::uint8_t> origins;
+  std::size_t targetTriangles = 0;  // wanted; more may be left where nothing can go
 };
 
 // What had to be done to meshes that are not manifold; added up, not reset.
@@ -51,9 +57,11 @@ std::vector<std::string> simplifierNames();
 // Throws InputError for an unknown name; the message lists the known ones.
 std::unique_ptr<Simplifier> createSimplifier(std::string_view name);
 
-// The triangles without those of two equal corners and without repetitions of the same three
-// corners (in any order), in the same order; what is left out is counted.
-std::vector<glm::uvec3> removeUselessTriangles(std::span<const glm::uvec3> triangles,
+// The input's triangles without those of two equal corners and without repetitions of the same
+// three corners (in any order), in the same order; what is left out is counted. A face repeated
+// the other way round by simplification, where two LODs meet, is a closed pocket without volume
+// and goes with its twin; an original face of two sides keeps one.
+std::vector<glm::uvec3> removeUselessTriangles(const SimplifierInput& input,
                                                SimplifierStats& stats);
 
 }  // namespace hlodbench
