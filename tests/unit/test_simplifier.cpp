@@ -165,6 +165,21 @@ TEST_P(EverySimplifier, KeepsTheExtentOfAFlatSheet) {
   EXPECT_LE(out.size(), 8u);
 }
 
+// Half-edge collapses alone keep every body, and so at least 4 faces of each.
+TEST_P(EverySimplifier, MeetsTheTargetAmongManySmallBodies) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 400; ++i)
+    testing::addBumpySphere(mesh, 4, glm::vec3(i % 20, i / 20, 0) * 0.1f - 0.9f, 0.04f);
+  std::vector<std::uint8_t> locked(mesh.positions.size(), 0);
+  locked[123] = 1;
+  SimplifierStats stats;
+  const auto out = createSimplifier(GetParam())
+                       ->simplify(inputOf(mesh.positions, mesh.triangles, locked, 1000), stats);
+  EXPECT_LE(out.size(), 1000u);
+  EXPECT_GE(out.size(), 500u);  // a body that folds up loses 3 faces at once
+  EXPECT_TRUE(verticesOf(out).contains(123));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EverySimplifier, ::testing::ValuesIn(simplifierNames()));
 
 }  // namespace

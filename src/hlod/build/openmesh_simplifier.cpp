@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "hlod/build/decimation_mesh.h"
+#include "hlod/build/free_collapse.h"
 #include "hlod/build/manifold_parts.h"
 #include "hlod/build/quadric_module.h"
 
@@ -35,9 +36,24 @@ class LayeredMesh {
 
   [[nodiscard]] DecimationMesh& mesh() { return mesh_; }
 
-  // The number of faces that are not removed.
-  [[nodiscard]] std::size_t faceCount() const {
-    return static_cast<std::size_t>(std::distance(mesh_.faces_sbegin(), mesh_.faces_end()));
+  // The mesh counts removed faces as there; this is their number.
+  [[nodiscard]] std::size_t removedFaces() const {
+    return mesh_.n_faces() -
+           static_cast<std::size_t>(std::distance(mesh_.faces_sbegin(), mesh_.faces_end()));
+  }
+
+  // The share of the free vertices that cannot be removed because of the mesh's topology.
+  [[nodiscard]] double stuckShare() {
+    std::size_t free = 0;
+    std::size_t stuck = 0;
+    for (const VertexHandle v : mesh_.vertices()) {
+      if (mesh_.status(v).locked() || mesh_.is_isolated(v)) continue;
+      ++free;
+      bool canGo = false;
+      for (const auto h : mesh_.voh_range(v)) canGo = canGo || mesh_.is_collapse_ok(h);
+      stuck += canGo ? 0 : 1;
+    }
+    return free == 0 ? 0.0 : static_cast<double>(stuck) / static_cast<double>(free);
   }
 
   // What is left, as triangles over the input's vertices, each with the winding it came with.
@@ -115,6 +131,9 @@ class LayeredMesh {
   std::vector<std::uint8_t> flipped_;  // one a mesh face
 };
 
+// Over this share of stuck vertices, topology is in the way.
+constexpr double kMuchStuck = 0.01;
+
 class OpenMeshSimplifier final : public Simplifier {
  public:
   // OpenMesh prints each face that it refuses; those are dealt with here.
@@ -129,15 +148,14 @@ class OpenMeshSimplifier final : public Simplifier {
     Module::Handle module;
     decimater.add(module);
     decimater.initialize();
-    decimater.decimate_to_faces(0, input.targetTriangles);
-    const std::size_t left = layered.faceCount();
-    if (left > input.targetTriangles) {
-      // Stuck among folded faces: a fold more or less is better than a node over its budget. The
-      // decimater counts removed faces as there, so they are added to its target.
-      decimater.module(module).guardFaces(false);
-      decimater.decimate_to_faces(0, input.targetTriangles + layered.mesh().n_faces() - left);
-    }
-    return layered.triangles();
+    // Half way there, see whether topology stands in the way: handles and small bodies cannot go,
+    // so towards the end they would take the budget from everything else.
+    decimater.decimate_to_faces(0, 2 * input.targetTriangles);
+    if (layered.stuckShare() < kMuchStuck)
+      decimater.decimate_to_faces(0, input.targetTriangles + layered.removedFaces());
+    std::vector<glm::uvec3> triangles = layered.triangles();
+    if (triangles.size() <= input.targetTriangles) return triangles;
+    return collapseFreely(input, std::move(triangles));
   }
 };
 

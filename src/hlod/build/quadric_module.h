@@ -25,9 +25,6 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
   QuadricModule(const QuadricModule&) = delete;
   QuadricModule& operator=(const QuadricModule&) = delete;
 
-  // Whether collapses that turn a face over are refused; they are to begin with.
-  void guardFaces(bool guarded) { guarded_ = guarded; }
-
   void initialize() override {
     MeshT& mesh = Base::mesh();
     for (auto vertex : mesh.vertices()) mesh.property(planes_, vertex) = Planes();
@@ -36,7 +33,7 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   // The weighted mean of the squared distances to the removed vertex's planes, or ILLEGAL_COLLAPSE.
   float collapse_priority(const CollapseInfo& collapse) override {
-    if (guarded_ && turnsFaceOver(collapse)) return static_cast<float>(Base::ILLEGAL_COLLAPSE);
+    if (turnsFaceOver(collapse)) return static_cast<float>(Base::ILLEGAL_COLLAPSE);
     const Planes& planes = Base::mesh().property(planes_, collapse.v0);
     const double error = planes.weight > 0.0 ? planes.quadric(collapse.p1) / planes.weight : 0.0;
     // On flat ground all collapses cost nothing; the shortest edge first gives better triangles.
@@ -125,7 +122,6 @@ class QuadricModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
   OpenMesh::VPropHandleT<Planes> planes_;
-  bool guarded_ = true;
 };
 
 }  // namespace hlodbench

@@ -42,9 +42,9 @@ class Simplifier {
  public:
   virtual ~Simplifier() = default;
 
-  // Triangles over the same vertices (the result's vertices are a subset of the input's). Every
-  // locked vertex that a triangle used is still used, and the borders between locked vertices are
-  // unchanged.
+  // Triangles over the same vertices (the result's vertices are a subset of the input's). Locked
+  // vertices do not move, and the borders between them are unchanged; only an open flap that hangs
+  // on locked vertices may be folded away whole.
   [[nodiscard]] virtual std::vector<glm::uvec3> simplify(const SimplifierInput& input,
                                                          SimplifierStats& stats) const = 0;
 };
