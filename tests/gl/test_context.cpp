@@ -1,6 +1,7 @@
 // Contexts: each kind comes up, and what is asked for or missing is said.
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
@@ -54,6 +55,26 @@ TEST_P(EveryContext, ComesUpAgainAfterItWasDestroyed) {
       ASSERT_EQ(image.pixels[p + 1], 0);
     }
   }
+}
+
+// Runs in a process of its own.
+void makeGlError(const std::string& name) {
+  std::string reason;
+  const auto context = tryContext(name, reason);
+  glEnable(GL_TEXTURE_WRAP_S);  // no capability
+}
+
+// What every other test here relies on.
+TEST_P(EveryContext, WithDebugOutputEndsTheProgramOnAGlError) {
+  {
+    std::string reason;
+    const auto context = tryContext(GetParam(), reason);
+    if (context == nullptr)
+      GTEST_SKIP() << "NO " << GetParam() << " CONTEXT, NOTHING TESTED: " << reason;
+    if (!GLAD_GL_KHR_debug) GTEST_SKIP() << GetParam() << " HAS NO KHR_debug";
+  }
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(makeGlError(GetParam()), ::testing::KilledBySignal(SIGABRT), "OpenGL: ");
 }
 
 std::vector<std::string> listContextNames() {
