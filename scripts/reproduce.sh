@@ -10,7 +10,7 @@
 #                      but missing Debian packages
 #   --paper            scenes 1 and 2 as in the paper, of copies of the Stanford dragon, which
 #                      scripts/fetch_dragon.sh downloads (11 MB; its terms: fetch_dragon.sh --help)
-#   --repetitions N    how often each session is replayed (3 for the courtyard, 5 with --paper)
+#   --repetitions N    how often each session is replayed (1 for the courtyard, 5 with --paper)
 #   --out DIR          put the records into DIR/SCENE, which must not exist yet, instead of
 #                      results/runs/SCENE-UTCTIME
 #   --context NAME     how to get OpenGL: auto, egl or osmesa (auto)
@@ -150,7 +150,7 @@ if [ "$paper" = yes ]; then
   repetitions=${repetitions:-5}
 else
   scenes=(courtyard)
-  repetitions=${repetitions:-3}
+  repetitions=${repetitions:-1}
 fi
 cache=$(cache_folder)
 export HLODBENCH_CACHE=$cache # the scene files name the dragon by it

@@ -121,7 +121,7 @@ void Renderer::beginFrame(const Camera& camera) {
   glPolygonOffset(-1.0f, -1.0f);
   state_ = State::kNone;
   setState(State::kNodes);
-  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);  // alpha 0: nothing was drawn here
+  glClearColor(0.62f, 0.74f, 0.86f, 0.0f);  // a sky; alpha 0: nothing was drawn here
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
