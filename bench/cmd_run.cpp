@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "hierarchy_store.h"
 #include "hlod/core/error.h"
+#include "number_range.h"
 #include "run.h"
 
 namespace hlodbench {
@@ -12,17 +13,17 @@ namespace {
 void addTraversalOptions(CLI::App& sub, TraversalOptions& t) {
   sub.add_option("--tau", t.tau, "pixels of error: refine while the error is above it; pixels, > 0")
       ->capture_default_str()
-      ->check(CLI::Range(1e-6, 1e6).description(""));
+      ->check(makeNumberRange(1e-6, 1e6));
   sub.add_option("--s", t.bias.s, "smoothness of the bias, 0 (B = mu) to 1 (sigmoid)")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0).description(""));
+      ->check(makeNumberRange(0.0, 1.0));
   sub.add_option("--t", t.bias.t, "turn-over point of the bias, 0 (conservative) to 1")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0).description(""));
+      ->check(makeNumberRange(0.0, 1.0));
   sub.add_option("--exponent", t.bias.exponent,
                  "steepness of the sigmoid (reconstruction), 1 to 100")
       ->capture_default_str()
-      ->check(CLI::Range(1.0, 100.0).description(""));
+      ->check(makeNumberRange(1.0, 100.0));
   sub.add_option("--stale-children", t.staleChildren,
                  "children not visited in the last frame: skip them, or read Fig. 3 literally")
       ->default_str("skip")
