@@ -57,7 +57,7 @@ void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
                  "when query results are there: gl (the driver's), frames:N or draws:N after the "
                  "query (exactly repeatable counts)")
       ->capture_default_str();
-  sub.add_option("--seed", o.seed, "order of the strategies in each repetition, and the bootstrap")
+  sub.add_option("--seed", o.seed, "of the order of the strategies in each repetition")
       ->capture_default_str();
 }
 

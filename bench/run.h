@@ -25,7 +25,7 @@ struct RunOptions {
   TraversalOptions traversal;
   std::string latency = "gl";
   std::filesystem::path trace;
-  std::uint64_t seed = 1;  // order of the strategies within each repetition, and the bootstrap
+  std::uint64_t seed = 1;  // of the order of the strategies within each repetition
   ReplayOptions replay;
   std::vector<int> images;  // frames to write as pictures, in an untimed pass
   BuildOptions build;

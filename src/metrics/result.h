@@ -75,7 +75,7 @@ struct RunResult {
   SceneInfo scene;
   SessionInfo session;
   nlohmann::json options = nlohmann::json::object();  // the effective options of the run; free form
-  int framesInFlight = 0;  // frames the processor may run ahead of the GPU; 0: not limited by us
+  int framesInFlight = 0;  // frames the processor may run ahead of the GPU; 0 finishes each
   int warmUpFrames = 0;    // replayed before the measured frames of every case
   int repetitions = 0;     // planned for every strategy
   std::vector<CaseResult> cases;
