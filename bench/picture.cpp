@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "hlod/core/error.h"
 
@@ -13,9 +14,18 @@ void writePicture(const std::filesystem::path& path, const Image& image) {
   // colour only: alpha tells where something was drawn, not how opaque it is
   OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
   constexpr OIIO::stride_t kPixel = 4;
-  if (!file->open(path.string(), spec) ||
-      !file->write_image(OIIO::TypeDesc::UINT8, image.pixels.data(), kPixel) || !file->close())
-    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), file->geterror()));
+  std::filesystem::path temporary = path;
+  temporary += fmt::format(".{}.tmp", ::getpid());
+  std::error_code error;
+  if (!file->open(temporary.string(), spec) ||
+      !file->write_image(OIIO::TypeDesc::UINT8, image.pixels.data(), kPixel) || !file->close()) {
+    const std::string reason = file->geterror();
+    std::filesystem::remove(temporary, error);
+    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), reason));
+  }
+  std::filesystem::rename(temporary, path, error);
+  if (error)
+    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
 }
 
 }  // namespace hlodbench
