@@ -6,7 +6,7 @@
 
 namespace hlodbench {
 
-void makeResultFolder(const std::filesystem::path& folder) {
+bool makeResultFolder(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code error;
   if (fs::exists(folder, error)) {
@@ -16,12 +16,13 @@ void makeResultFolder(const std::filesystem::path& folder) {
       throw InputError(
           fmt::format("--out {}: expected a new or empty folder, found one with other content",
                       folder.string()));
-    return;
+    return false;
   }
   fs::create_directories(folder, error);
   if (error)
     throw InputError(
         fmt::format("--out {}: cannot be created: {}", folder.string(), error.message()));
+  return true;
 }
 
 }  // namespace hlodbench

@@ -68,6 +68,10 @@ void checkOptions(const RunOptions& options, const Session& session) {
       throw InputError(fmt::format("--trace {}: expected a new file, found one that exists",
                                    nameTrace(options, strategy).string()));
   }
+  const std::filesystem::path traceFolder = options.trace.parent_path();
+  if (!traceFolder.empty() && !std::filesystem::is_directory(traceFolder))
+    throw InputError(fmt::format("--trace {}: expected a file in a folder that exists, found none",
+                                 options.trace.string()));
   const int frames = static_cast<int>(session.poses.size());
   if (options.replay.warmUpFrames >= frames)
     throw InputError(fmt::format("--warm-up: expected fewer than the session's {} frames, found {}",
@@ -92,14 +96,16 @@ class Runner {
     session_ = readSession(options.session);
     applySize(options.size, session_.lens);
     checkOptions(options, session_);
-    stored_ = openHierarchy(options.scene, options.cache, options.build);
-    makeResultFolder(options.out);
+    // what may be wrong is found out before the scene is built, which may take minutes
     context_ = createContext(options.context, {options.glDebug || kDebugBuild});
-    announce(*context_);
-    renderer_ =
-        std::make_unique<Renderer>(stored_.hierarchy, session_.lens.width, session_.lens.height);
-    glQueries_ = std::make_unique<GlQuerySource>(*renderer_, stored_.hierarchy.nodes.size());
-    queries_ = wrapQuerySource(*glQueries_, latency_, stored_.hierarchy.nodes.size());
+    const bool isNewFolder = makeResultFolder(options.out);
+    try {
+      load();
+    } catch (...) {
+      std::error_code ignored;
+      if (isNewFolder) std::filesystem::remove(options.out, ignored);
+      throw;
+    }
     plan_ = planCases(options.strategies, options.repetitions, options.seed);
     describe(arguments);
   }
@@ -116,6 +122,7 @@ class Runner {
       }
     }
     if (!isInterrupted()) writePictures();
+    const bool picturesAreMissing = !options_.images.empty() && isInterrupted();
     bool failed = false;
     for (const CaseResult& c : result_.cases)
       if (c.error) {
@@ -126,10 +133,22 @@ class Runner {
     if (!result_.complete)
       fmt::print(stderr, "hlodbench: interrupted; {} of {} replays are complete in {}\n",
                  result_.cases.size(), plan_.size(), options_.out.string());
-    return result_.complete && !failed;
+    else if (picturesAreMissing)
+      fmt::print(stderr, "hlodbench: interrupted; pictures are missing in {}\n",
+                 options_.out.string());
+    return result_.complete && !failed && !picturesAreMissing;
   }
 
  private:
+  void load() {
+    stored_ = openHierarchy(options_.scene, options_.cache, options_.build);
+    announce(*context_);
+    renderer_ =
+        std::make_unique<Renderer>(stored_.hierarchy, session_.lens.width, session_.lens.height);
+    glQueries_ = std::make_unique<GlQuerySource>(*renderer_, stored_.hierarchy.nodes.size());
+    queries_ = wrapQuerySource(*glQueries_, latency_, stored_.hierarchy.nodes.size());
+  }
+
   void describe(const std::vector<std::string>& arguments) {
     result_.environment =
         readEnvironment(arguments, {context_->vendor, context_->renderer, context_->version});
