@@ -115,6 +115,10 @@ class SceneHasher {
 
   void addFile(const std::filesystem::path& path) {
     constexpr std::size_t kChunk = 1u << 20;
+    // a device may never end
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+      throw InputError(
+          fmt::format("{}: expected a file, found a folder or a device", path.string()));
     std::ifstream in(path, std::ios::binary);
     std::vector<char> chunk(kChunk);
     std::uint64_t size = 0;
@@ -124,8 +128,7 @@ class SceneHasher {
       XXH3_64bits_update(state_.get(), chunk.data(), got);
       size += got;
     }
-    if (!in.eof() || std::filesystem::is_directory(path))
-      throw InputError(fmt::format("{}: cannot be read", path.string()));
+    if (!in.eof()) throw InputError(fmt::format("{}: cannot be read", path.string()));
     addNumber(size);
   }
   void addNumber(std::uint64_t number) {
