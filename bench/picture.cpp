@@ -1,10 +1,11 @@
 #include "picture.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "hlod/core/error.h"
+#include "metrics/text_file.h"
 
 namespace hlodbench {
 
@@ -14,18 +15,13 @@ void writePicture(const std::filesystem::path& path, const Image& image) {
   // colour only: alpha tells where something was drawn, not how opaque it is
   OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
   constexpr OIIO::stride_t kPixel = 4;
-  std::filesystem::path temporary = path;
-  temporary += fmt::format(".{}.tmp", ::getpid());
-  std::error_code error;
-  if (!file->open(temporary.string(), spec) ||
-      !file->write_image(OIIO::TypeDesc::UINT8, image.pixels.data(), kPixel) || !file->close()) {
-    const std::string reason = file->geterror();
-    std::filesystem::remove(temporary, error);
-    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), reason));
-  }
-  std::filesystem::rename(temporary, path, error);
-  if (error)
-    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+  // into memory first: the library does not notice when a disk is full
+  OIIO::Filesystem::IOVecOutput memory;
+  if (!file->set_ioproxy(&memory) || !file->open(path.string(), spec) ||
+      !file->write_image(OIIO::TypeDesc::UINT8, image.pixels.data(), kPixel) || !file->close())
+    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), file->geterror()));
+  const auto& bytes = memory.buffer();
+  writeTextFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace hlodbench
