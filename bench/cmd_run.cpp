@@ -10,6 +10,8 @@
 namespace hlodbench {
 namespace {
 
+constexpr double kLargestSeed = 9007199254740991.0;  // every reader of JSON gets it exactly
+
 void addTraversalOptions(CLI::App& sub, TraversalOptions& t) {
   sub.add_option("--tau", t.tau, "pixels of error: refine while the error is above it; pixels, > 0")
       ->capture_default_str()
@@ -58,7 +60,8 @@ void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
                  "query (exactly repeatable counts)")
       ->capture_default_str();
   sub.add_option("--seed", o.seed, "of the order of the strategies in each repetition")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(makeNumberRange(0.0, kLargestSeed));
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ inline CLI::Validator makeNumberRange(double least, double most) {
             double value = 0.0;
             const bool isNumber = CLI::detail::lexical_cast(text, value);
             if (isNumber && value >= least && value <= most) return std::string();
-            return fmt::format("expected a number from {} to {}, found '{}'", least, most, text);
+            return fmt::format("expected a number from {:.16g} to {:.16g}, found '{}'", least, most,
+                               text);
           },
           ""};
 }
