@@ -2,6 +2,7 @@
 
 import json
 import math
+import struct
 
 
 def write_json(path, content):
@@ -9,20 +10,25 @@ def write_json(path, content):
     return path
 
 
-def write_ply(path, vertices, triangles, vertex_count=None):
-    """An ASCII PLY; vertices may be texts, for what is no number."""
-    lines = [
+def write_ply(path, vertices, triangles, binary=False):
+    """A PLY; coordinates may be texts, for what is no number."""
+    header = [
         "ply",
-        "format ascii 1.0",
-        f"element vertex {len(vertices) if vertex_count is None else vertex_count}",
+        f"format {'binary_little_endian' if binary else 'ascii'} 1.0",
+        f"element vertex {len(vertices)}",
         *(f"property float {axis}" for axis in "xyz"),
         f"element face {len(triangles)}",
         "property list uchar int vertex_indices",
         "end_header",
-        *(" ".join(str(c) for c in v) for v in vertices),
-        *(" ".join(str(i) for i in (len(t), *t)) for t in triangles),
     ]
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    if binary:
+        points = b"".join(struct.pack("<3f", *map(float, v)) for v in vertices)
+        faces = b"".join(struct.pack("<B3i", 3, *t) for t in triangles)
+        path.write_bytes("\n".join([*header, ""]).encode() + points + faces)
+        return path
+    points = [" ".join(str(c) for c in v) for v in vertices]
+    faces = [" ".join(str(i) for i in (len(t), *t)) for t in triangles]
+    path.write_text("\n".join([*header, *points, *faces, ""]), encoding="utf-8")
     return path
 
 
@@ -86,9 +92,8 @@ def write_session(path, poses, size=(160, 120), near=0.05, **changes):
 
 def past_the_walls(frames):
     """Poses in front of the walls of write_walls(), moving sideways and nearer."""
-    return [
-        look((0.05 * i - 1, 0.3, 3.2 - 0.04 * i), (0.2, 0, -1)) for i in (j % 40 for j in range(frames))
-    ]
+    steps = [i % 40 for i in range(frames)]
+    return [look((0.05 * i - 1, 0.3, 3.2 - 0.04 * i), (0.2, 0, -1)) for i in steps]
 
 
 def through_the_courtyard(frames):
