@@ -6,9 +6,9 @@
 
 namespace hlodbench {
 
-// Writes an image through OpenImageIO, in the format that the file's extension names (PNG
+// Writes an image through OpenImageIO, in the format that the file's extension names (PNG,
 // ...). The file appears under its name only when it is whole. Throws InputError with the file and
-// the library's reason.
+// the reason.
 void writePicture(const std::filesystem::path& path, const Image& image);
 
 }  // namespace hlodbench
