@@ -155,9 +155,11 @@ def nudge(value):
     return value + (0.001 if value < 0.5 else -0.001)
 
 
+REFINED = {"prediction": "refine"}
+STOPPED = {"prediction": "stop"}
 ALTERED = {
-    "a refinement predicted as a stop": ("coh-b", change(prediction="stop"), {"prediction": "refine"}),
-    "a stop predicted as a refinement": ("coh-b", change(prediction="refine"), {"prediction": "stop"}),
+    "a refinement predicted as a stop": ("coh-b", change(prediction="stop"), REFINED),
+    "a stop predicted as a refinement": ("coh-b", change(prediction="refine"), STOPPED),
     "a stop predicted as a delay": ("simp-b", change(prediction="delay"), {"prediction": "stop"}),
     "a delay predicted as a stop": ("bool", change(prediction="stop"), {"prediction": "delay"}),
     "stop-and-wait that predicts": ("sw-b", change(prediction="stop"), {"prediction": "delay"}),
@@ -189,7 +191,7 @@ ALTERED = {
     "another camera": ("bool", change(position=[0, 1.7, 19]), {"type": "frame"}),
     "another tau": ("coh-b", change(tau=1.3), {"type": "run"}),
     "another s": ("sw-b", change(s=0.9), {"type": "run"}),
-    "another switch for stale children": ("coh-b", change(stale_children="literal"), {"type": "run"}),
+    "another switch of children": ("coh-b", change(stale_children="literal"), {"type": "run"}),
     "another switch for no pixels": ("coh-b", change(zero_pixels="literal"), {"type": "run"}),
     "another estimate of Simp": ("simp-b", change(simp_estimate="mean"), {"type": "run"}),
     "another latency": ("coh-b", change(latency="draws:8"), {"type": "run"}),
