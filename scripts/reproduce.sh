@@ -18,8 +18,9 @@
 #   --help             this text
 #
 # Needs no GPU, screen or X server: without a GPU Mesa's software renderer draws. On two cores and
-# no GPU the courtyard takes about ten minutes the first time; --paper may take hours. A line with
-# the time passed and the usual time left is printed for every step. What is already built is kept.
+# no GPU the courtyard takes four to five minutes the first time, under two later; --paper about half
+# an hour. A line with the time passed and the usual time left is printed for every step. What is
+# already built is kept.
 #
 # Writes only into the repository's folder: build/release (about 100 MB), .cache with hierarchies
 # and models (about 100 MB; with --paper about 3 GB; HLODBENCH_CACHE names another place), and the
@@ -39,14 +40,16 @@ readonly gl_packages=(libegl1 libegl-mesa0 libgl1-mesa-dri)
 readonly compile_seconds=120 fetch_seconds=30
 hierarchy_seconds() {
   case $1 in
-    courtyard) echo 60 ;;
-    *) echo 600 ;;
+    courtyard) echo 12 ;;
+    scene1) echo 45 ;;
+    *) echo 120 ;;
   esac
 }
 repetition_seconds() {
   case $1 in
-    courtyard) echo 120 ;;
-    *) echo 600 ;;
+    courtyard) echo 60 ;;
+    scene1) echo 120 ;;
+    *) echo 170 ;;
   esac
 }
 
