@@ -68,7 +68,7 @@ std::string formatNodesJson(const Hierarchy& hierarchy) {
     const Node& n = hierarchy.nodes[id];
     std::string children;
     for (NodeId c = n.firstChild; c < n.firstChild + n.childCount; ++c)
-      children += (children.empty() ? "" : ",") + std::to_string(c);
+      children += fmt::format("{}{}", children.empty() ? "" : ",", c);
     text += fmt::format(R"({}{{"id":{},"parent":{},"children":[{}],"min":[{:.9g},{:.9g},{:.9g}],)"
                         R"("max":[{:.9g},{:.9g},{:.9g}],"error":{:.9g},"triangles":{}}})",
                         id == 0 ? "\n" : ",\n", id,
