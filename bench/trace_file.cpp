@@ -1,12 +1,6 @@
 #include "trace_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-
-#include "hlod/core/error.h"
 
 namespace hlodbench {
 namespace {
@@ -64,25 +58,13 @@ std::string formatHeader(const TraceHeader& h) {
 }  // namespace
 
 TraceFile::TraceFile(std::filesystem::path path, const TraceHeader& header)
-    : path_(std::move(path)),
-      temporary_(path_.string() + fmt::format(".tmp{}", getpid())),
-      file_(std::fopen(temporary_.c_str(), "wb")) {
-  if (file_ == nullptr)
-    throw InputError(
-        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+    : file_(std::move(path)) {
   write(formatHeader(header));
 }
 
-TraceFile::~TraceFile() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
-}
-
 void TraceFile::write(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), file_);
-  std::fputc('\n', file_);
+  file_.write(text);
+  file_.write("\n");
 }
 
 void TraceFile::writeFrame(const TracedFrame& frame) {
@@ -100,19 +82,7 @@ void TraceFile::writeFrame(const TracedFrame& frame) {
 }
 
 void TraceFile::finish() {
-  const bool failed = std::fflush(file_) != 0 || std::ferror(file_) != 0;
-  const int reason = errno;
-  const bool notClosed = std::fclose(file_) != 0;
-  file_ = nullptr;
-  std::error_code error;
-  if (failed || notClosed) {
-    std::filesystem::remove(temporary_, error);
-    throw InputError(
-        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(reason)));
-  }
-  std::filesystem::rename(temporary_, path_, error);
-  if (error)
-    throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), error.message()));
+  file_.commit();
 }
 
 }  // namespace hlodbench

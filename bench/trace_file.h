@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "hlod/core/atomic_file.h"
 #include "hlod/view/camera.h"
 #include "latency.h"
 #include "replay.h"
@@ -27,18 +27,14 @@ class TraceFile {
  public:
   // Throws InputError when the file cannot be written.
   TraceFile(std::filesystem::path path, const TraceHeader& header);
-  ~TraceFile();
-  TraceFile(const TraceFile&) = delete;
-  TraceFile& operator=(const TraceFile&) = delete;
 
+  // These throw InputError when the disk does not take everything.
   void writeFrame(const TracedFrame& frame);
-  // Throws InputError when the disk did not take everything.
   void finish();
 
  private:
   void write(const std::string& text);
-  std::filesystem::path path_, temporary_;
-  std::FILE* file_;
+  AtomicFile file_;
 };
 
 }  // namespace hlodbench

@@ -1,13 +1,12 @@
 #include "metrics/text_file.h"
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
+#include "hlod/core/atomic_file.h"
 #include "hlod/core/error.h"
 
 namespace hlodbench {
@@ -24,26 +23,9 @@ std::string readTextFile(const std::filesystem::path& path) {
 }
 
 void writeTextFile(const std::filesystem::path& path, std::string_view text) {
-  // The process id keeps two programs that write the same result from sharing a temporary file.
-  std::filesystem::path temporary = path;
-  temporary += fmt::format(".{}.tmp", ::getpid());
-  {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();  // the flush may be what fails
-    if (!out) {
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw InputError(fmt::format("{}: cannot be written", path.string()));
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
-  if (error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
-  }
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace hlodbench

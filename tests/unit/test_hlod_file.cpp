@@ -183,7 +183,7 @@ TEST_F(HlodFile, AFailedWriteLeavesTheOldFileAndNothingElse) {
   const std::string message = messageOf(path(), [&] { writeHlodFile(path(), tree_, info_); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, oldHandler);
-  EXPECT_NE(message.find("cannot write"), std::string::npos) << message;
+  EXPECT_NE(message.find("cannot be written"), std::string::npos) << message;
   EXPECT_EQ(filesInFolder(), 1u);
   EXPECT_EQ(bytes(), good);
 }
@@ -193,7 +193,7 @@ TEST_F(HlodFile, AMissingFolderOrAFolderInTheWayIsReported) {
   EXPECT_NE(messageOf(missing, [&] { writeHlodFile(missing, tree_, info_); }).find("No such file"),
             std::string::npos);
   fs::create_directories(path() / "full");
-  EXPECT_REASON(writeHlodFile(path(), tree_, info_), "cannot write");
+  EXPECT_REASON(writeHlodFile(path(), tree_, info_), "cannot be written");
   EXPECT_EQ(filesInFolder(), 1u);
 }
 

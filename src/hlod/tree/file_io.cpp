@@ -18,17 +18,6 @@ std::string systemReason() {
   return std::strerror(errno);
 }
 
-void writeAll(int fd, const void* data, std::size_t bytes, const std::filesystem::path& path) {
-  const char* at = static_cast<const char*>(data);
-  while (bytes > 0) {
-    const ssize_t written = ::write(fd, at, std::min(bytes, kFileChunk));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) failOnFile(path, fmt::format("cannot write: {}", systemReason()));
-    at += written;
-    bytes -= static_cast<std::size_t>(written);
-  }
-}
-
 void readAll(int fd, void* data, std::size_t bytes, const std::filesystem::path& path) {
   char* at = static_cast<char*>(data);
   while (bytes > 0) {

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <memory>
 
+#include "hlod/core/atomic_file.h"
 #include "hlod/tree/file_io.h"
 
 #define XXH_INLINE_ALL
@@ -224,22 +225,12 @@ void writeHlodFile(const std::filesystem::path& path, const Hierarchy& hierarchy
   header.contentHash = hasher.digest();
   header.headerHash = computeHeaderHash(header, info.options);
 
-  // The process's number keeps two programs that write the same cache apart.
-  TemporaryFile temporary(path.string() + fmt::format(".{}.tmp", ::getpid()));
-  Descriptor fd(::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (fd.get() < 0) {
-    const std::string reason = systemReason();
-    temporary.keep();  // it is not ours
-    failOnFile(path, fmt::format("cannot write: {}", reason));
-  }
-  writeAll(fd.get(), &header, sizeof(header), path);
-  writeAll(fd.get(), info.options.data(), info.options.size(), path);
+  AtomicFile file(path);
+  file.write(&header, sizeof(header));
+  file.write(info.options);
   forEachBlock(objects, nodes, hierarchy,
-               [&](const void* data, std::size_t bytes) { writeAll(fd.get(), data, bytes, path); });
-  if (fd.close() != 0) failOnFile(path, fmt::format("cannot write: {}", systemReason()));
-  if (::rename(temporary.path().c_str(), path.c_str()) != 0)
-    failOnFile(path, fmt::format("cannot write: {}", systemReason()));
-  temporary.keep();
+               [&](const void* data, std::size_t bytes) { file.write(data, bytes); });
+  file.commit();
   info.version = header.version;
   info.contentHash = header.contentHash;
 }
