@@ -1,5 +1,9 @@
 #include "build_options.h"
 
+#include <fmt/format.h>
+
+#include "hlod/core/error.h"
+
 namespace hlodbench {
 
 void addBuildOptions(CLI::App& command, BuildOptions& options) {
@@ -18,6 +22,15 @@ void addBuildOptions(CLI::App& command, BuildOptions& options) {
   command.add_option("--threads", options.threads, "threads for building; 0: one a core")
       ->capture_default_str()
       ->check(CLI::Range(0u, 1024u));
+}
+
+void refuseBuildOptions(const CLI::App& command, const std::filesystem::path& scene) {
+  if (scene.extension() != ".hlod") return;
+  for (const char* option : {"--max-triangles", "--simplifier", "--error-samples", "--threads"})
+    if (command.count(option) > 0)
+      throw InputError(
+          fmt::format("{}: expected a scene or mesh file to build from, found {}, which is built",
+                      option, scene.string()));
 }
 
 }  // namespace hlodbench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "hlod/build/hierarchy_builder.h"
 
@@ -8,5 +9,8 @@ namespace hlodbench {
 
 // Adds --max-triangles, --simplifier, --error-samples and --threads.
 void addBuildOptions(CLI::App& command, BuildOptions& options);
+
+// Throws InputError when one of them was given although `scene` is a hierarchy that is built.
+void refuseBuildOptions(const CLI::App& command, const std::filesystem::path& scene);
 
 }  // namespace hlodbench

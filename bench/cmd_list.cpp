@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "hlod/render/gl_context.h"
 #include "metrics/counters.h"
+#include "overlay.h"
 #include "traversals/registry.h"
 
 namespace hlodbench {
@@ -15,6 +16,8 @@ void listEverything() {
   fmt::print("\nContexts (--context):\n  {:<14} {}\n", "auto",
              "the first of these that works; says what it tried");
   for (const GlContextInfo& c : listContexts()) fmt::print("  {:<14} {}\n", c.name, c.description);
+  fmt::print("\nOverlays (--overlay):\n");
+  for (const OverlayInfo& o : listOverlays()) fmt::print("  {:<14} {}\n", o.name, o.description);
   fmt::print("\nCounters (columns of the frame logs):\n");
   for (const CounterInfo& c : kCounterTable)
     fmt::print("  {:<14} {}{}{}\n", c.key, c.description, c.unit.empty() ? "" : ", ", c.unit);

@@ -1,10 +1,12 @@
 #include <memory>
 
 #include "build_options.h"
+#include "choice.h"
 #include "commands.h"
 #include "hierarchy_store.h"
 #include "hlod/core/error.h"
 #include "number_range.h"
+#include "overlay.h"
 #include "run.h"
 
 namespace hlodbench {
@@ -26,21 +28,36 @@ void addTraversalOptions(CLI::App& sub, TraversalOptions& t) {
                  "steepness of the sigmoid (reconstruction), 1 to 100")
       ->capture_default_str()
       ->check(makeNumberRange(1.0, 100.0));
-  sub.add_option("--stale-children", t.staleChildren,
-                 "children not visited in the last frame: skip them, or read Fig. 3 literally")
-      ->default_str("skip")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, StaleChildren>{
-          {"skip", StaleChildren::kSkip}, {"literal", StaleChildren::kLiteral}}));
-  sub.add_option("--zero-pixels", t.zeroPixels,
-                 "bias of a node that passes no pixel: zero, or literal (Fig. 2 leaves it)")
-      ->default_str("zero")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, ZeroPixels>{
-          {"zero", ZeroPixels::kZeroBias}, {"literal", ZeroPixels::kLiteral}}));
-  sub.add_option("--simp", t.simpEstimate,
-                 "Simp(B), a reconstruction: bias of the last node processed, or their mean")
-      ->default_str("last")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, SimpEstimate>{
-          {"last", SimpEstimate::kLastProcessed}, {"mean", SimpEstimate::kRunningMean}}));
+  addChoice<StaleChildren>(
+      sub, "--stale-children", t.staleChildren,
+      {{"skip", StaleChildren::kSkip}, {"literal", StaleChildren::kLiteral}},
+      "children not visited in the last frame: skip them, or read Fig. 3 literally");
+  addChoice<ZeroPixels>(sub, "--zero-pixels", t.zeroPixels,
+                        {{"zero", ZeroPixels::kZeroBias}, {"literal", ZeroPixels::kLiteral}},
+                        "bias of a node that passes no pixel: zero, or Fig. 2 literally");
+  addChoice<SimpEstimate>(
+      sub, "--simp", t.simpEstimate,
+      {{"last", SimpEstimate::kLastProcessed}, {"mean", SimpEstimate::kRunningMean}},
+      "Simp(B), a reconstruction: bias of the last node processed, or their mean");
+}
+
+void addPictureOptions(CLI::App& sub, RunOptions& o) {
+  sub.add_option_function<std::string>(
+         "--images", [&o](const std::string& text) { o.images = parseImageSelection(text); },
+         "frames of the first repetition to keep as pictures and to compare with Bool's and with "
+         "the full-resolution model, drawn again after everything was timed: all, none, a number "
+         "of frames to choose at random, or a list like 0,120 (one frame: 7,)")
+      ->default_str(std::to_string(o.images.count));
+  addChoice<std::string>(sub, "--image-format", o.pictures.format, {{"png", "png"}, {"exr", "exr"}},
+                         "of the pictures: 8-bit PNG, or OpenEXR with half floats");
+  std::string overlays;
+  for (const OverlayInfo& overlay : listOverlays())
+    overlays += (overlays.empty() ? "" : ", ") + std::string(overlay.name);
+  sub.add_option("--overlay", o.pictures.overlays,
+                 "also write pictures in which the colour of each node tells something, see "
+                 "`hlodbench list`; comma-separated: " +
+                     overlays)
+      ->delimiter(',');
 }
 
 void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
@@ -59,7 +76,9 @@ void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
                  "when query results are there: gl (the driver's), frames:N or draws:N after the "
                  "query (exactly repeatable counts)")
       ->capture_default_str();
-  sub.add_option("--seed", o.seed, "of the order of the strategies in each repetition")
+  sub.add_option("--seed", o.seed,
+                 "of the order of the strategies in each repetition, and of "
+                 "--images N")
       ->capture_default_str()
       ->check(makeNumberRange(0.0, kLargestSeed));
 }
@@ -81,18 +100,17 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->add_option("--context", o->context, "auto, egl or osmesa")->capture_default_str();
   sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");
   addMeasuringOptions(*sub, *o);
+  addPictureOptions(*sub, *o);
   addTraversalOptions(*sub, o->traversal);
   sub->add_option("--trace", o->trace,
                   "write every decision of the first repetition as JSON Lines; with several "
                   "strategies, one file each, its name inserted before the extension");
-  sub->add_option("--images", o->images,
-                  "frames to write as PNG in an untimed pass, comma-separated")
-      ->delimiter(',');
   sub->add_option("--cache", o->cache, "folder of hierarchies built from a scene file")
       ->capture_default_str();
   sub->add_flag("--gl-debug", o->glDebug, "stop at every OpenGL error (on in debug builds)");
   addBuildOptions(*sub, o->build);
-  sub->callback([o, arguments] {
+  sub->callback([o, arguments, sub] {
+    refuseBuildOptions(*sub, o->scene);
     if (!run(*o, arguments)) throw CLI::RuntimeError(static_cast<int>(ExitCode::kCheckFailed));
   });
 }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "choice.h"
 #include "commands.h"
 #include "table.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 struct TableCommand {
   std::vector<std::filesystem::path> folders;
-  std::string format = "markdown";
+  TableFormat format = TableFormat::kMarkdown;
 };
 
 }  // namespace
@@ -20,10 +21,12 @@ void addTableCommand(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("table", "Print Table 1 of the paper, its printed values beside yours");
   sub->add_option("dir", command->folders, "result folders of `hlodbench run`")->required();
-  sub->add_option("--format", command->format, "markdown, latex or csv")->capture_default_str();
-  sub->callback([command] {
-    fmt::print("{}", renderTable(command->folders, parseTableFormat(command->format)));
-  });
+  addChoice<TableFormat>(*sub, "--format", command->format,
+                         {{"markdown", TableFormat::kMarkdown},
+                          {"latex", TableFormat::kLatex},
+                          {"csv", TableFormat::kCsv}},
+                         "of the table");
+  sub->callback([command] { fmt::print("{}", renderTable(command->folders, command->format)); });
 }
 
 }  // namespace hlodbench

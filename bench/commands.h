@@ -13,5 +13,6 @@ void addBuildCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments);
 void addTableCommand(CLI::App& app);
+void addBiasCommand(CLI::App& app);
 
 }  // namespace hlodbench

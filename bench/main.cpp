@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   addInfoCommand(app);
   addRunCommand(app, arguments);
   addTableCommand(app);
+  addBiasCommand(app);
   try {
     app.parse(argc, argv);
     return static_cast<int>(ExitCode::kOk);

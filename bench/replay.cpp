@@ -44,13 +44,14 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     FrameRecord& record = records.emplace_back();
     record.frame = i;
     record.warmUp = i < options.warmUpFrames;
+    const bool isTraced = hooks.onTrace && (!hooks.isTraced || hooks.isTraced(i));
     const double cpuStart = readThreadCpuMs();
     const Camera camera = makeCamera(session.lens, session.poses[i]);
 
     timer.beginFrame(i);
     queries.beginFrame();
     renderer.beginFrame(camera);
-    strategy.renderFrame(camera, services, record, hooks.onTrace ? &trace : nullptr);
+    strategy.renderFrame(camera, services, record, isTraced ? &trace : nullptr);
     timer.endFrame();
     record.set(Counter::kCpuMs, readThreadCpuMs() - cpuStart);
     record.set(Counter::kWaitMs, services.takeWaitMs());
@@ -59,7 +60,7 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
 
     const auto end = Clock::now();
     record.set(Counter::kFrameMs, computeMs(end - start));
-    if (hooks.onTrace) hooks.onTrace({session.poses[i], std::move(trace), record});
+    if (isTraced) hooks.onTrace({session.poses[i], std::move(trace), record});
     trace.clear();
     if (hooks.onFrame) hooks.onFrame(i);
     // what the hooks took is nobody's frame time

@@ -25,8 +25,9 @@ struct TracedFrame {
 
 // Where a replay's frames go besides its records; each may be empty.
 struct ReplayHooks {
-  std::function<void(int frame)> onFrame;      // after each frame: progress, images
-  std::function<void(TracedFrame&&)> onTrace;  // asks for events
+  std::function<void(int frame)> onFrame;      // after each frame: progress
+  std::function<void(TracedFrame&&)> onTrace;  // asks for events,
+  std::function<bool(int frame)> isTraced;     // of these frames; empty: of all
   std::function<bool()> isInterrupted = [] { return false; };
 };
 

@@ -17,7 +17,8 @@
 #include "metrics/frame_csv.h"
 #include "metrics/result_json.h"
 #include "metrics/text_file.h"
-#include "picture.h"
+#include "overlay.h"
+#include "picture_pass.h"
 #include "progress_line.h"
 #include "result_folder.h"
 #include "run_options_json.h"
@@ -76,10 +77,7 @@ void checkOptions(const RunOptions& options, const Session& session) {
   if (options.replay.warmUpFrames >= frames)
     throw InputError(fmt::format("--warm-up: expected fewer than the session's {} frames, found {}",
                                  frames, options.replay.warmUpFrames));
-  for (const int frame : options.images)
-    if (frame < 0 || frame >= frames)
-      throw InputError(
-          fmt::format("--images: expected frames 0 to {}, found {}", frames - 1, frame));
+  for (const std::string& overlay : options.pictures.overlays) findOverlay(overlay);
 }
 
 void announce(const GlContext& context) {
@@ -96,6 +94,8 @@ class Runner {
     session_ = readSession(options.session);
     applySize(options.size, session_.lens);
     checkOptions(options, session_);
+    imageFrames_ = selectFrames(options.images, static_cast<int>(session_.poses.size()),
+                                options.replay.warmUpFrames, options.seed);
     // what may be wrong is found out before the scene is built, which may take minutes
     context_ = createContext(options.context, {options.glDebug || kDebugBuild});
     const bool isNewFolder = makeResultFolder(options.out);
@@ -121,8 +121,7 @@ class Runner {
         writeRunResult(options_.out, result_);
       }
     }
-    if (!isInterrupted()) writePictures();
-    const bool picturesAreMissing = !options_.images.empty() && isInterrupted();
+    const bool picturesAreMissing = !isInterrupted() ? !writePictures() : !imageFrames_.empty();
     bool failed = false;
     for (const CaseResult& c : result_.cases)
       if (c.error) {
@@ -200,13 +199,26 @@ class Runner {
           done / plan_.size());
     };
     std::vector<TracedFrame> traced;
+    StrategyFronts fronts{std::string(info.name), std::string(info.label), {}};
     const bool tracing = !options_.trace.empty() && repetition == 0;
-    // written after the replay, so that the disk takes no part in the timings
-    if (tracing) hooks.onTrace = [&](TracedFrame&& f) { traced.push_back(std::move(f)); };
+    if (repetition == 0 && (tracing || !imageFrames_.empty())) {
+      hooks.isTraced = [&](int frame) { return tracing || isPictured(frame); };
+      hooks.onTrace = [&](TracedFrame&& f) {
+        if (isPictured(f.record.frame))
+          fronts.fronts.push_back(computeFront(f.record.frame, f.events));
+        // written after the replay, so that the disk takes no part in the timings
+        if (tracing) traced.push_back(std::move(f));
+      };
+    }
     std::vector<FrameRecord> records =
         replaySession(session_, *strategy, *renderer_, *queries_, options_.replay, hooks);
     if (tracing && !isInterrupted()) writeTrace(std::string(info.name), traced);
+    if (!fronts.fronts.empty()) fronts_.push_back(std::move(fronts));
     return records;
+  }
+
+  [[nodiscard]] bool isPictured(int frame) const {
+    return std::binary_search(imageFrames_.begin(), imageFrames_.end(), frame);
   }
 
   void writeTrace(const std::string& strategy, const std::vector<TracedFrame>& frames) {
@@ -216,23 +228,26 @@ class Runner {
     file.finish();
   }
 
-  void writePictures() {
-    if (options_.images.empty()) return;
-    const std::filesystem::path folder = options_.out / "images";
+  // Returns whether every picture is there.
+  bool writePictures() {
+    if (imageFrames_.empty()) return true;
+    const std::filesystem::path folder = options_.out / kImageFolder;
     makeResultFolder(folder);
-    ProgressLine line("pictures");
-    for (const std::string& name : options_.strategies) {
-      const auto strategy = findStrategy(name).make(stored_.hierarchy, options_.traversal);
-      ReplayHooks hooks;
-      hooks.isInterrupted = isInterrupted;
-      hooks.onFrame = [&](int frame) {
-        line.update(name, static_cast<double>(frame) / session_.poses.size());
-        if (std::find(options_.images.begin(), options_.images.end(), frame) !=
-            options_.images.end())
-          writePicture(folder / fmt::format("{}.{:05}.png", name, frame), renderer_->readColor());
-      };
-      replaySession(session_, *strategy, *renderer_, *queries_, options_.replay, hooks);
-    }
+    // the order in which they were asked for, not that of the replays
+    const auto rank = [&](const StrategyFronts& fronts) {
+      return std::find(options_.strategies.begin(), options_.strategies.end(), fronts.strategy);
+    };
+    std::sort(fronts_.begin(), fronts_.end(),
+              [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    ImageResult images;
+    images.selection = options_.images.name();
+    images.seed = options_.seed;
+    images.frames = imageFrames_;
+    images.crackMargin = computeCrackMargin(options_.traversal.tau);
+    drawPictures(stored_.hierarchy, *renderer_, session_, fronts_, options_.pictures, folder,
+                 isInterrupted, images);
+    writeImageResult(folder, images);
+    return images.complete;
   }
 
   const RunOptions& options_;
@@ -244,6 +259,8 @@ class Runner {
   std::unique_ptr<GlQuerySource> glQueries_;
   std::unique_ptr<QuerySource> queries_;
   std::vector<CaseKey> plan_;
+  std::vector<int> imageFrames_;        // ascending
+  std::vector<StrategyFronts> fronts_;  // in these frames, of the first repetition
   RunResult result_;
 };
 

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "hlod/build/hierarchy_builder.h"
+#include "image_selection.h"
 #include "latency.h"
+#include "picture_pass.h"
 #include "replay.h"
 #include "traversals/options.h"
 
@@ -25,9 +27,10 @@ struct RunOptions {
   TraversalOptions traversal;
   std::string latency = "gl";
   std::filesystem::path trace;
-  std::uint64_t seed = 1;  // of the order of the strategies within each repetition
+  std::uint64_t seed = 1;  // of the order of the strategies in each repetition, and of --images N
   ReplayOptions replay;
-  std::vector<int> images;  // frames to write as pictures, in an untimed pass
+  ImageSelection images;  // frames kept as pictures, drawn again in an untimed pass
+  PictureOptions pictures;
   BuildOptions build;
 };
 

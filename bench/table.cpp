@@ -3,24 +3,17 @@
 #include <fmt/format.h>
 
 #include "hlod/core/error.h"
+#include "metrics/image_result.h"
 #include "metrics/result_json.h"
 #include "table_text.h"
 
 namespace hlodbench {
 
-TableFormat parseTableFormat(std::string_view name) {
-  if (name == "markdown") return TableFormat::kMarkdown;
-  if (name == "latex") return TableFormat::kLatex;
-  if (name == "csv") return TableFormat::kCsv;
-  throw InputError(
-      fmt::format("table format: expected markdown, latex or csv, found \"{}\"", name));
-}
-
 std::string renderTable(const std::vector<std::filesystem::path>& dirs, TableFormat format) {
   if (dirs.empty()) throw InputError("table: expected one result folder or more, found none");
   std::vector<TableBlock> blocks;
   for (const std::filesystem::path& dir : dirs)
-    blocks.push_back(computeTableBlock(dir, readRunResult(dir)));
+    blocks.push_back(computeTableBlock(dir, readRunResult(dir), readImageSummaries(dir)));
   switch (format) {
     case TableFormat::kMarkdown:
       return renderMarkdown(blocks);

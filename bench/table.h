@@ -2,20 +2,18 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hlodbench {
 
 enum class TableFormat { kMarkdown, kLatex, kCsv };
 
-// "markdown", "latex" or "csv"; throws InputError listing these for another name.
-TableFormat parseTableFormat(std::string_view name);
-
 // The paper's Table 1 from result folders (each with a run.json): a block a folder, in the order
 // given, with the rows Bool, SW(B), Simp(B), Coh(B), then other strategies by id. Every row is
 // followed by the paper's printed values: those of scene 1 for a scene named "scene1", of scene 2
 // for "scene2", and of both, marked as another scene, for any other.
+// A run with pictures adds a table of their quality: PSNR against Bool's, as in the paper's section
+// 5.3, and against the full-resolution model.
 //   Markdown  aligned columns; notes below each block and at the end
 //   LaTeX     tables for \input, need \usepackage{booktabs}
 //   CSV       a row per (folder, strategy), numbers unrounded, ours_* and paper_* columns

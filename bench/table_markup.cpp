@@ -1,4 +1,4 @@
-// The three ways to write a table down.
+// The two ways to set a table for reading.
 
 #include <fmt/format.h>
 
@@ -69,18 +69,13 @@ std::string escapeLatex(const std::string& text) {
         escaped += c;
     }
   }
-  return replaceAll(escaped, "–", "--");
+  return replaceAll(replaceAll(escaped, "–", "--"), "±", "$\\pm$");
 }
 
-std::string escapeCsv(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == text.npos) return text;
-  return fmt::format("\"{}\"", replaceAll(text, "\"", "\"\""));
-}
-
-std::string formatMarkdownTable(const TableText& text) {
-  std::vector<std::vector<std::string>> lines{text.header};
-  lines.insert(lines.end(), text.rows.begin(), text.rows.end());
-  std::vector<std::size_t> widths(text.header.size(), 3);
+std::string formatMarkdownTable(const TableGrid& grid) {
+  std::vector<std::vector<std::string>> lines{grid.header};
+  lines.insert(lines.end(), grid.rows.begin(), grid.rows.end());
+  std::vector<std::size_t> widths(grid.header.size(), 3);
   for (auto& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i) {
       line[i] = escapeMarkdown(line[i]);
@@ -111,55 +106,18 @@ std::string formatLatexRow(const std::vector<std::string>& cells) {
   return row + " \\\\\n";
 }
 
-std::string formatCsvLine(const std::vector<std::string>& fields) {
-  std::string line;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    line += fmt::format("{}{}", i ? "," : "", escapeCsv(fields[i]));
-  return line + "\n";
-}
-
-std::string formatNumber(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : "";
-}
-
-std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRow& row) {
-  // Another scene's values in these columns would invite wrong quotients: they stay empty.
-  const PaperScene* scene = block.sameScene ? block.papers.front() : nullptr;
-  const PaperRow* paper = scene ? scene->find(row.strategy) : nullptr;
-  const auto ofPaper = [&](auto member) {
-    return paper ? formatNumber(std::optional<double>(paper->*member)) : std::string();
-  };
-  std::optional<double> median, low, high;
-  if (row.speedup) {
-    median = row.speedup->interval.median;
-    low = row.speedup->interval.low;
-    high = row.speedup->interval.high;
+std::string formatLatexTabular(const TableGrid& grid) {
+  std::string out = "\\begin{tabular}{ll" +
+                    std::string(grid.header.size() - kFirstNumberColumn, 'r') + "}\n\\toprule\n" +
+                    formatLatexRow(grid.header);
+  for (std::size_t row = 0; row < grid.rows.size(); ++row) {
+    if (row == 0)
+      out += "\\midrule\n";
+    else if (std::count(grid.groupStarts.begin(), grid.groupStarts.end(), row) > 0)
+      out += "\\addlinespace\n";
+    out += formatLatexRow(grid.rows[row]);
   }
-  return {block.folder.string(),
-          block.run.scene.name,
-          block.run.session.name,
-          row.strategy,
-          row.label,
-          fmt::format("{}", row.repetitions),
-          fmt::format("{}", row.failures),
-          fmt::format("{}", row.frames),
-          block.run.complete ? "1" : "0",
-          formatNumber(row.dn),
-          formatNumber(row.rarn),
-          formatNumber(row.d),
-          formatNumber(row.fps),
-          formatNumber(row.fpsFrameMean),
-          formatNumber(median),
-          formatNumber(low),
-          formatNumber(high),
-          formatNumber(row.delayedShare),
-          paper ? scene->label : "",
-          ofPaper(&PaperRow::dn),
-          ofPaper(&PaperRow::rarn),
-          ofPaper(&PaperRow::d),
-          ofPaper(&PaperRow::fps),
-          ofPaper(&PaperRow::speedup),
-          paper && row.strategy == kReferenceStrategy ? formatNumber(scene->delayedShare) : ""};
+  return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
 }  // namespace
@@ -169,8 +127,11 @@ std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
   for (const TableBlock& block : blocks) {
     const TableText text = computeTableText(block);
     out += fmt::format("### {}\n\n{}\n\n{}\n{}\n\n", escapeMarkdown(text.title),
-                       escapeMarkdown(text.machine), formatMarkdownTable(text),
+                       escapeMarkdown(text.machine), formatMarkdownTable(text.costs),
                        escapeMarkdown(text.ratios));
+    if (!text.quality.rows.empty())
+      out += fmt::format("{}\n\n{}\n", escapeMarkdown(text.qualityCaption),
+                         formatMarkdownTable(text.quality));
     for (const std::string& note : text.notes) out += "- " + escapeMarkdown(note) + "\n";
     if (!text.notes.empty()) out += "\n";
   }
@@ -185,17 +146,11 @@ std::string renderLatex(const std::vector<TableBlock>& blocks) {
     const TableText text = computeTableText(blocks[i]);
     out += fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}}}\n", escapeLatex(text.title));
     // Eight columns fit the text width of the standard classes only when set small and close.
-    out += "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n\\begin{tabular}{ll" +
-           std::string(text.header.size() - kFirstNumberColumn, 'r') + "}\n\\toprule\n" +
-           formatLatexRow(text.header);
-    for (std::size_t row = 0; row < text.rows.size(); ++row) {
-      if (row == 0)
-        out += "\\midrule\n";
-      else if (std::count(text.groupStarts.begin(), text.groupStarts.end(), row) > 0)
-        out += "\\addlinespace\n";
-      out += formatLatexRow(text.rows[row]);
-    }
-    out += "\\bottomrule\n\\end{tabular}\n\n\\medskip\n\\raggedright\n";
+    out += "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n" + formatLatexTabular(text.costs);
+    if (!text.quality.rows.empty())
+      out += "\n\\medskip\n" + escapeLatex(text.qualityCaption) + "\n\n\\smallskip\n" +
+             formatLatexTabular(text.quality);
+    out += "\n\\medskip\n\\raggedright\n";
     std::vector<std::string> notes{text.machine, text.ratios};
     notes.insert(notes.end(), text.notes.begin(), text.notes.end());
     const std::vector<std::string> shared = computeTableNotes(blocks);
@@ -203,37 +158,6 @@ std::string renderLatex(const std::vector<TableBlock>& blocks) {
     for (const std::string& note : notes) out += escapeLatex(note) + "\\par\n";
     out += "\\end{table}\n";
   }
-  return out;
-}
-
-std::string renderCsv(const std::vector<TableBlock>& blocks) {
-  std::string out = formatCsvLine({"folder",
-                                   "scene",
-                                   "session",
-                                   "strategy",
-                                   "label",
-                                   "repetitions",
-                                   "failures",
-                                   "frames",
-                                   "complete",
-                                   "ours_dn",
-                                   "ours_rarn",
-                                   "ours_d",
-                                   "ours_fps",
-                                   "ours_fps_frame_mean",
-                                   "ours_speedup",
-                                   "ours_speedup_low",
-                                   "ours_speedup_high",
-                                   "ours_delayed_share",
-                                   "paper_scene",
-                                   "paper_dn",
-                                   "paper_rarn",
-                                   "paper_d",
-                                   "paper_fps",
-                                   "paper_speedup",
-                                   "paper_delayed_share"});
-  for (const TableBlock& block : blocks)
-    for (const TableRow& row : block.rows) out += formatCsvLine(computeCsvFields(block, row));
   return out;
 }
 

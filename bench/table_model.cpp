@@ -121,10 +121,18 @@ const TableRow* TableBlock::find(const std::string& strategy) const {
   return found == rows.end() ? nullptr : &*found;
 }
 
-TableBlock computeTableBlock(std::filesystem::path folder, RunResult run) {
+const ImageSummary* TableBlock::findImages(const std::string& strategy) const {
+  if (!images) return nullptr;
+  const auto found = images->strategies.find(strategy);
+  return found == images->strategies.end() ? nullptr : &found->second;
+}
+
+TableBlock computeTableBlock(std::filesystem::path folder, RunResult run,
+                             std::optional<StoredImageSummaries> images) {
   TableBlock block;
   block.folder = std::move(folder);
   block.run = std::move(run);
+  block.images = std::move(images);
   block.rows = computeRows(block.run);
   if (const PaperScene* scene = paperTable1().find(block.run.scene.name)) {
     block.sameScene = true;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "metrics/image_result.h"
 #include "metrics/paper_table.h"
 #include "metrics/result.h"
 
@@ -29,12 +30,15 @@ struct TableRow {
 struct TableBlock {
   std::filesystem::path folder;
   RunResult run;
+  std::optional<StoredImageSummaries> images;
   std::vector<TableRow> rows;             // the paper's order, then others by id
   std::vector<const PaperScene*> papers;  // whose values stand beside ours
   bool sameScene = false;                 // whether papers is the one scene that ours stands for
 
   // The row of a strategy, or null.
   [[nodiscard]] const TableRow* find(const std::string& strategy) const;
+  // The quality of a strategy's pictures, or null.
+  [[nodiscard]] const ImageSummary* findImages(const std::string& strategy) const;
 };
 
 // A quotient the paper's text discusses: of the DN of two strategies, or D over DN of one.
@@ -45,7 +49,8 @@ struct TableRatio {
   bool isShare = false;        // to be shown in per cent
 };
 
-TableBlock computeTableBlock(std::filesystem::path folder, RunResult run);
+TableBlock computeTableBlock(std::filesystem::path folder, RunResult run,
+                             std::optional<StoredImageSummaries> images = std::nullopt);
 std::vector<TableRatio> computeTableRatios(const TableBlock& block);
 
 // Whether the paper prints a dash for this counter of this strategy, as it does for RARN and D

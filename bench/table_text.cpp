@@ -54,6 +54,19 @@ std::vector<std::string> computePaperCells(const PaperRow& row, const PaperScene
           row.speedup ? fmt::format("{:.2f}", *row.speedup) : kDash};
 }
 
+TableGrid computeCostGrid(const TableBlock& block) {
+  TableGrid grid;
+  grid.header = {"Scenario", "Values", "DN", "RARN", "D", "FPS", "frame FPS", "Speedup [95 %]"};
+  for (const TableRow& row : block.rows) {
+    grid.groupStarts.push_back(grid.rows.size());
+    grid.rows.push_back(computeOurCells(row));
+    for (const PaperScene* scene : block.papers)
+      if (const PaperRow* paper = scene->find(row.strategy))
+        grid.rows.push_back(computePaperCells(*paper, *scene, block.sameScene));
+  }
+  return grid;
+}
+
 std::string formatCount(double count) {
   if (count >= 1e6) return fmt::format("{:.2f}M", count / 1e6);
   if (count >= 1e4) return fmt::format("{:.0f}k", count / 1e3);
@@ -136,15 +149,10 @@ TableText computeTableText(const TableBlock& block) {
                            formatCount(static_cast<double>(run.scene.nodes)), run.session.name,
                            run.session.frames, run.repetitions);
   text.machine = computeMachineLine(block);
-  text.header = {"Scenario", "Values", "DN", "RARN", "D", "FPS", "frame FPS", "Speedup [95 %]"};
-  for (const TableRow& row : block.rows) {
-    text.groupStarts.push_back(text.rows.size());
-    text.rows.push_back(computeOurCells(row));
-    for (const PaperScene* scene : block.papers)
-      if (const PaperRow* paper = scene->find(row.strategy))
-        text.rows.push_back(computePaperCells(*paper, *scene, block.sameScene));
-  }
+  text.costs = computeCostGrid(block);
   text.ratios = computeRatioLine(block);
+  text.quality = computeQualityGrid(block);
+  text.qualityCaption = computeQualityCaption(block);
   text.notes = computeBlockNotes(block);
   return text;
 }

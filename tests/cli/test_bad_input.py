@@ -234,11 +234,13 @@ OPTIONS = {
             "--latency": ["slow", "draws:", "draws:-1", "frames:1e3", "gl:1"],
             "--context": ["glx"],
             "--size": ["640", "640x", "0x0", "-1x5", "640x480x1", "99999x5"],
-            "--images": ["4", "first"],
+            "--images": ["1,4", "first", "-1"],
+            "--image-format": ["jpg"],
+            "--overlay": ["magic"],
             "--stale-children": ["maybe"],
             "--zero-pixels": ["maybe"],
             "--simp": ["first"],
-            "--max-triangles": ["0", "-5"],
+            "--max-triangles": ["0", "-5", "100"],  # 100: the scene is built
             "--seed": ["-1"],
         }.items()
         for value in values
@@ -260,6 +262,8 @@ def test_an_unknown_name_is_answered_with_those_known(place):
     place.refuse(place.run("--strategy", "magic"), BAD_INPUT, "bool, sw-b, simp-b, coh-b")
     place.refuse(place.run("--context", "magic"), BAD_INPUT, "auto, egl")
     place.refuse(place.run("--latency", "magic"), BAD_INPUT, "gl, frames:N or draws:N")
+    place.refuse(place.run("--simp", "magic"), BAD_INPUT, "last, mean")
+    place.refuse(place.run("--overlay", "magic"), BAD_INPUT, "bias, level, node, rarn")
     place.refuse([*place.build(place.mesh), "--simplifier", "x"], BAD_INPUT, "openmesh")
     place.refuse(["table", place.folder, "--format", "html"], BAD_INPUT, "markdown", "latex", "csv")
 

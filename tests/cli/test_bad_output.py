@@ -98,7 +98,7 @@ def test_trace_on_a_full_disk(place):
 
 
 def test_pictures_on_a_full_disk(place):
-    arguments = place.run("--strategy", "bool", "--images", "1", "--size", "640x480")
+    arguments = place.run("--strategy", "bool", "--images", "1,", "--size", "640x480")
     result = place.hlodbench(*arguments, timeout=60, **limit_files(30000))
     complain(result, BAD_INPUT, place.out / "images", "cannot be written")
     assert not list((place.out / "images").iterdir())

@@ -7,6 +7,20 @@
 
 namespace hlodbench {
 
+namespace {
+
+// OpenGL's rows go up.
+template <typename T>
+void flipRows(std::vector<T>& pixels, std::size_t row) {
+  for (auto top = pixels.begin(), bottom = pixels.end(); bottom - top > static_cast<long>(row);) {
+    bottom -= static_cast<long>(row);
+    std::swap_ranges(top, top + static_cast<long>(row), bottom);
+    top += static_cast<long>(row);
+  }
+}
+
+}  // namespace
+
 Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glBindRenderbuffer(GL_RENDERBUFFER, color_);
@@ -30,11 +44,16 @@ Image Framebuffer::readColor() const {
   Image image{width_, height_, std::vector<std::uint8_t>(std::size_t{4} * width_ * height_)};
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-  const std::size_t row = std::size_t{4} * width_;
-  for (int top = 0, bottom = height_ - 1; top < bottom; ++top, --bottom)
-    std::swap_ranges(image.pixels.begin() + top * row, image.pixels.begin() + (top + 1) * row,
-                     image.pixels.begin() + bottom * row);
+  flipRows(image.pixels, std::size_t{4} * width_);
   return image;
+}
+
+std::vector<float> Framebuffer::readDepth() const {
+  std::vector<float> depth(std::size_t{1} * width_ * height_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+  glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  flipRows(depth, static_cast<std::size_t>(width_));
+  return depth;
 }
 
 }  // namespace hlodbench

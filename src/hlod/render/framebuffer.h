@@ -1,18 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
+#include "hlod/core/image.h"
 #include "hlod/render/gl_object.h"
 
 namespace hlodbench {
-
-// 8-bit RGBA, rows from the top.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> pixels;  // 4 * width * height
-};
 
 // Off-screen colour (RGBA8) and depth (24 bits), without multisampling: SAMPLES_PASSED counts
 // pixels.
@@ -23,6 +16,8 @@ class Framebuffer {
 
   void bind() const;
   [[nodiscard]] Image readColor() const;
+  // As stored, 0 to 1, rows from the top.
+  [[nodiscard]] std::vector<float> readDepth() const;
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 

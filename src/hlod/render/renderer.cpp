@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <glm/gtc/type_ptr.hpp>
+#include <limits>
 #include <stdexcept>
 
 #include "hlod/render/gl_debug.h"
@@ -24,7 +25,7 @@ void main() {
 })";
 
 // a sun, and light from the sky and from the ground; both faces are lit as seen
-constexpr const char* kNodeFragmentShader = R"(#version 330 core
+constexpr const char* kLitFragmentShader = R"(#version 330 core
 in vec3 worldNormal;
 in vec3 albedo;
 out vec4 fragment;
@@ -34,6 +35,35 @@ void main() {
   vec3 sky = mix(vec3(0.20, 0.17, 0.15), vec3(0.42, 0.50, 0.62), 0.5 + 0.5 * n.y);
   vec3 light = sky + vec3(0.72, 0.66, 0.55) * max(0.0, dot(n, kSun));
   fragment = vec4(sqrt(albedo * light), 1.0);
+})";
+
+// the same light, without its colour
+constexpr const char* kTintedFragmentShader = R"(#version 330 core
+in vec3 worldNormal;
+uniform vec3 tint;
+out vec4 fragment;
+const vec3 kSun = vec3(0.408, 0.816, 0.408);
+void main() {
+  vec3 n = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
+  float light = mix(0.25, 0.5, 0.5 + 0.5 * n.y) + 0.5 * max(0.0, dot(n, kSun));
+  fragment = vec4(sqrt(tint * light), 1.0);
+})";
+
+constexpr const char* kObjectVertexShader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 3) in uint object;
+uniform mat4 viewProjection;
+flat out uint index;
+void main() {
+  index = object;
+  gl_Position = viewProjection * vec4(position, 1.0);
+})";
+
+constexpr const char* kObjectFragmentShader = R"(#version 330 core
+flat in uint index;
+out vec4 fragment;
+void main() {
+  fragment = vec4(float(index & 255u) / 255.0, float(index >> 8u) / 255.0, 0.0, 1.0);
 })";
 
 constexpr const char* kBoxVertexShader = R"(#version 330 core
@@ -71,10 +101,10 @@ void setAttribute(GLuint index, GLint components, GLenum type, bool normalized, 
 Renderer::Renderer(const Hierarchy& hierarchy, int width, int height)
     : hierarchy_(hierarchy),
       framebuffer_(width, height),
-      nodeProgram_(makeGlProgram("nodes", kNodeVertexShader, kNodeFragmentShader)),
-      boxProgram_(makeGlProgram("boxes", kBoxVertexShader, kBoxFragmentShader)),
-      nodeMatrix_(glGetUniformLocation(nodeProgram_, "viewProjection")),
-      boxMatrix_(glGetUniformLocation(boxProgram_, "viewProjection")) {
+      nodePrograms_{makeGlProgram("nodes, lit", kNodeVertexShader, kLitFragmentShader),
+                    makeGlProgram("nodes, objects", kObjectVertexShader, kObjectFragmentShader),
+                    makeGlProgram("nodes, tinted", kNodeVertexShader, kTintedFragmentShader)},
+      boxProgram_(makeGlProgram("boxes", kBoxVertexShader, kBoxFragmentShader)) {
   uploadGeometry();
   uploadBoxes();
 }
@@ -88,6 +118,9 @@ void Renderer::uploadGeometry() {
   setAttribute(0, 3, GL_FLOAT, false, sizeof(Vertex), offsetof(Vertex, position));
   setAttribute(1, 3, GL_SHORT, true, sizeof(Vertex), offsetof(Vertex, normal));
   setAttribute(2, 4, GL_UNSIGNED_BYTE, true, sizeof(Vertex), offsetof(Vertex, color));
+  glEnableVertexAttribArray(3);
+  glVertexAttribIPointer(3, 1, GL_UNSIGNED_SHORT, sizeof(Vertex),
+                         reinterpret_cast<const void*>(offsetof(Vertex, object)));
 }
 
 void Renderer::uploadBoxes() {
@@ -106,13 +139,16 @@ void Renderer::uploadBoxes() {
   setAttribute(0, 3, GL_FLOAT, false, sizeof(glm::vec3), 0);
 }
 
-void Renderer::beginFrame(const Camera& camera) {
+void Renderer::beginFrame(const Camera& camera, Shading shading) {
   framebuffer_.bind();
+  shading_ = shading;
+  lens_ = camera.lens;
   const glm::mat4 matrix(camera.viewProjection);
-  glUseProgram(boxProgram_);
-  glUniformMatrix4fv(boxMatrix_, 1, GL_FALSE, glm::value_ptr(matrix));
-  glUseProgram(nodeProgram_);
-  glUniformMatrix4fv(nodeMatrix_, 1, GL_FALSE, glm::value_ptr(matrix));
+  for (const GLuint program : {static_cast<GLuint>(boxProgram_), nodeProgram()}) {
+    glUseProgram(program);
+    glUniformMatrix4fv(glGetUniformLocation(program, "viewProjection"), 1, GL_FALSE,
+                       glm::value_ptr(matrix));
+  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glCullFace(GL_BACK);
@@ -121,8 +157,27 @@ void Renderer::beginFrame(const Camera& camera) {
   glPolygonOffset(-1.0f, -1.0f);
   state_ = State::kNone;
   setState(State::kNodes);
-  glClearColor(0.62f, 0.74f, 0.86f, 0.0f);  // a sky; alpha 0: nothing was drawn here
+  if (shading == Shading::kObjects)
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  else
+    glClearColor(0.62f, 0.74f, 0.86f, 0.0f);  // a sky; alpha 0: nothing was drawn here
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Renderer::setTint(const glm::vec3& color) {
+  setState(State::kNodes);
+  if (shading_ == Shading::kTinted)
+    glUniform3fv(glGetUniformLocation(nodeProgram(), "tint"), 1, glm::value_ptr(color));
+}
+
+DepthImage Renderer::readDepth() const {
+  DepthImage image{framebuffer_.width(), framebuffer_.height(), framebuffer_.readDepth()};
+  const double n = lens_.nearPlane;
+  const double f = lens_.farPlane;
+  for (float& depth : image.depth)
+    depth = depth < 1.0f ? static_cast<float>(f * n / (f - depth * (f - n)))
+                         : std::numeric_limits<float>::infinity();
+  return image;
 }
 
 void Renderer::setState(State state) {
@@ -139,7 +194,7 @@ void Renderer::setState(State state) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
   }
-  glUseProgram(boxes ? boxProgram_ : nodeProgram_);
+  glUseProgram(boxes ? static_cast<GLuint>(boxProgram_) : nodeProgram());
   glBindVertexArray(boxes ? boxArray_ : nodeArray_);
 }
 

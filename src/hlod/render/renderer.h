@@ -1,11 +1,21 @@
 #pragma once
 
+#include <array>
+
 #include "hlod/render/framebuffer.h"
 #include "hlod/render/gl_program.h"
 #include "hlod/tree/hierarchy.h"
 #include "hlod/view/camera.h"
 
 namespace hlodbench {
+
+// What becomes of the colours of nodes. Pictures of the same nodes in the same order cover the same
+// pixels in each.
+enum class Shading {
+  kLit,      // the objects' colours, lit: what a user sees
+  kObjects,  // the object's index in red (low byte) and green (high byte), whatever node draws it
+  kTinted    // the colour of setTint(), lit: overlays
+};
 
 // Draws nodes and boxes of a hierarchy whose geometry is resident in one vertex and one index
 // buffer. Knows nothing of why a node is drawn.
@@ -16,27 +26,36 @@ class Renderer {
   Renderer(const Hierarchy& hierarchy, int width, int height);
 
   // Clears the framebuffer and sets the camera, whose viewport must be the framebuffer's size.
-  void beginFrame(const Camera& camera);
+  void beginFrame(const Camera& camera, Shading shading = Shading::kLit);
+  // The colour of the nodes drawn next, linear RGB, 0 to 1; seen in Shading::kTinted only.
+  void setTint(const glm::vec3& color);
   // Draws the node's LOD, both faces, lit.
   void drawNode(NodeId node);
   // Draws the front faces of the node's box, tested against the depth buffer and leaving no trace.
   void drawBox(NodeId node);
 
   [[nodiscard]] Image readColor() const { return framebuffer_.readColor(); }
+  // Of what was drawn since beginFrame().
+  [[nodiscard]] DepthImage readDepth() const;
 
  private:
   enum class State { kNone, kNodes, kBoxes };
   void setState(State state);
+  [[nodiscard]] GLuint nodeProgram() const {
+    return nodePrograms_[static_cast<std::size_t>(shading_)];
+  }
   void uploadGeometry();
   void uploadBoxes();
 
   const Hierarchy& hierarchy_;
   Framebuffer framebuffer_;
-  GlProgram nodeProgram_, boxProgram_;
+  std::array<GlProgram, 3> nodePrograms_;  // by Shading
+  GlProgram boxProgram_;
   GlVertexArray nodeArray_, boxArray_;
   GlBuffer vertices_, indices_, boxCorners_, boxIndices_;
-  GLint nodeMatrix_, boxMatrix_;
   State state_ = State::kNone;
+  Lens lens_;  // of the frame
+  Shading shading_ = Shading::kLit;
 };
 
 }  // namespace hlodbench

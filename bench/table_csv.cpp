@@ -1,0 +1,137 @@
+// A table for programs to read.
+
+#include <fmt/format.h>
+
+#include "table_text.h"
+
+namespace hlodbench {
+namespace {
+
+std::string escapeCsv(std::string text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return text;
+  for (std::size_t at = text.find('"'); at != text.npos; at = text.find('"', at + 2))
+    text.insert(at, 1, '"');
+  return fmt::format("\"{}\"", text);
+}
+
+std::string formatCsvLine(const std::vector<std::string>& fields) {
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    line += fmt::format("{}{}", i ? "," : "", escapeCsv(fields[i]));
+  return line + "\n";
+}
+
+std::string formatNumber(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "";
+}
+
+// Empty where the run has no pictures, and against Bool for Bool itself.
+std::vector<std::string> computeQualityFields(const TableBlock& block, const TableRow& row) {
+  std::vector<std::string> fields(11);
+  const ImageSummary* summary = block.findImages(row.strategy);
+  if (summary == nullptr) return fields;
+  fields[0] = fmt::format("{}", block.images->frames);
+  if (const auto& psnr = summary->vsReference) {
+    fields[1] = formatNumber(psnr->y.mean);
+    fields[2] = formatNumber(psnr->y.stddev);
+    fields[3] = formatNumber(psnr->cb.mean);
+    fields[4] = formatNumber(psnr->cb.stddev);
+    fields[5] = formatNumber(psnr->cr.mean);
+    fields[6] = formatNumber(psnr->cr.stddev);
+    fields[7] = fmt::format("{}", psnr->y.identical);
+  }
+  fields[8] = formatNumber(summary->vsFull.y.mean);
+  fields[9] = formatNumber(summary->wrongShareMean);
+  fields[10] = fmt::format("{}", summary->crackPixels);
+  return fields;
+}
+
+std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRow& row) {
+  // Another scene's values in these columns would invite wrong quotients: they stay empty.
+  const PaperScene* scene = block.sameScene ? block.papers.front() : nullptr;
+  const PaperRow* paper = scene ? scene->find(row.strategy) : nullptr;
+  const auto ofPaper = [&](auto member) {
+    return paper ? formatNumber(std::optional<double>(paper->*member)) : std::string();
+  };
+  std::optional<double> median, low, high;
+  if (row.speedup) {
+    median = row.speedup->interval.median;
+    low = row.speedup->interval.low;
+    high = row.speedup->interval.high;
+  }
+  std::vector<std::string> fields{
+      block.folder.string(),
+      block.run.scene.name,
+      block.run.session.name,
+      row.strategy,
+      row.label,
+      fmt::format("{}", row.repetitions),
+      fmt::format("{}", row.failures),
+      fmt::format("{}", row.frames),
+      block.run.complete ? "1" : "0",
+      formatNumber(row.dn),
+      formatNumber(row.rarn),
+      formatNumber(row.d),
+      formatNumber(row.fps),
+      formatNumber(row.fpsFrameMean),
+      formatNumber(median),
+      formatNumber(low),
+      formatNumber(high),
+      formatNumber(row.delayedShare),
+      paper ? scene->label : "",
+      ofPaper(&PaperRow::dn),
+      ofPaper(&PaperRow::rarn),
+      ofPaper(&PaperRow::d),
+      ofPaper(&PaperRow::fps),
+      ofPaper(&PaperRow::speedup),
+      paper && row.strategy == kReferenceStrategy ? formatNumber(scene->delayedShare) : ""};
+  const std::vector<std::string> quality = computeQualityFields(block, row);
+  fields.insert(fields.end(), quality.begin(), quality.end());
+  return fields;
+}
+
+}  // namespace
+
+std::string renderCsv(const std::vector<TableBlock>& blocks) {
+  std::string out = formatCsvLine({"folder",
+                                   "scene",
+                                   "session",
+                                   "strategy",
+                                   "label",
+                                   "repetitions",
+                                   "failures",
+                                   "frames",
+                                   "complete",
+                                   "ours_dn",
+                                   "ours_rarn",
+                                   "ours_d",
+                                   "ours_fps",
+                                   "ours_fps_frame_mean",
+                                   "ours_speedup",
+                                   "ours_speedup_low",
+                                   "ours_speedup_high",
+                                   "ours_delayed_share",
+                                   "paper_scene",
+                                   "paper_dn",
+                                   "paper_rarn",
+                                   "paper_d",
+                                   "paper_fps",
+                                   "paper_speedup",
+                                   "paper_delayed_share",
+                                   "pictures",
+                                   "ours_psnr_y",
+                                   "ours_psnr_y_stddev",
+                                   "ours_psnr_cb",
+                                   "ours_psnr_cb_stddev",
+                                   "ours_psnr_cr",
+                                   "ours_psnr_cr_stddev",
+                                   "ours_psnr_identical",
+                                   "ours_psnr_full_y",
+                                   "ours_wrong_share",
+                                   "ours_crack_pixels"});
+  for (const TableBlock& block : blocks)
+    for (const TableRow& row : block.rows) out += formatCsvLine(computeCsvFields(block, row));
+  return out;
+}
+
+}  // namespace hlodbench
