@@ -25,7 +25,7 @@ def result_schema():
 
 @pytest.fixture
 def run_script(tmp_path):
-    """Runs a script of scripts/: run_script("figures.py", ...) gives a CompletedProcess with text."""
+    """Runs a script of scripts/: run_script("figures.py", ...) gives a CompletedProcess."""
 
     def run(name, *arguments, timeout=300, **options):
         return subprocess.run(

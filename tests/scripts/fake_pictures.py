@@ -1,5 +1,5 @@
-"""The pictures of a fake run (fake_run.py): smooth coloured shapes under a sky, each strategy's with
-small errors of its own, and images/images.json with what is true of them."""
+"""The pictures of a fake run (fake_run.py): a shaded sphere under a sky, with small errors of each
+strategy's own, and images/images.json with what is true of them."""
 
 import json
 import math
@@ -98,8 +98,8 @@ def _describe(pictures, strategies, frames, size, overlays, seed, label):
                           "summary": _summarise(entries, full)})
     return {"schema_version": "1.0.0", "selection": "list", "seed": seed, "frames": list(frames),
             "format": "png", "width": size[0], "height": size[1],
-            "color_matrix": "BT.601 full range", "reference": reference, "complete": True,
-            "overlays": list(overlays), "full": full, "strategies": described}
+            "color_matrix": "BT.601 full range", "crack_margin": 2, "reference": reference,
+            "complete": True, "overlays": list(overlays), "full": full, "strategies": described}
 
 
 def _summarise(entries, full):

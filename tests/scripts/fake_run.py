@@ -2,8 +2,8 @@
 
     run = make_run(folder, strategies=("bool", "coh-b"), frames=30, image_frames=(10, 20))
 
-Everything follows from the seed. What the folder says is true of itself: summaries and speedups are
-computed from the CSVs, PSNR from the pictures. Damage is done by the caller, with the helpers below.
+Everything follows from the seed. What the folder says is true of itself: summaries and speedups
+are computed from the CSVs, PSNR from the pictures. Damage is done by the caller.
 """
 
 import json
