@@ -19,7 +19,7 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 # What each is for stands in docs/building.md.
 build_packages=(
   g++ cmake ninja-build git ca-certificates curl pkg-config
-  python3 python3-glad python3-numpy
+  python3 python3-glad python3-numpy python3-pil python3-matplotlib python3-jinja2 libjs-dygraphs
   libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   libglm-dev libopenmesh-dev libmeshoptimizer-dev libopenimageio-dev libimath-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev libxxhash-dev zlib1g-dev
@@ -28,6 +28,7 @@ build_packages=(
 optional_packages=(libosmesa6-dev)
 test_packages=(
   libgtest-dev libgmock-dev python3-pytest python3-jsonschema zstd clang-format shellcheck
+  ffmpeg chromium chromium-driver python3-selenium
 )
 
 as_root() {

@@ -75,11 +75,13 @@ quietly() {
   return "$code"
 }
 
-# configure PRESET: writes build/PRESET. The system's Python is preferred: it is the one that sees
-# Debian's Python packages.
+# The system's Python is preferred: it is the one that sees Debian's Python packages.
+python=${HLODBENCH_PYTHON:-/usr/bin/python3}
+[ -x "$python" ] || python=$(command -v python3 || echo python3)
+
+# configure PRESET: writes build/PRESET.
 configure() {
-  local -a options=(--preset "$1")
-  [ ! -x /usr/bin/python3 ] || options+=(-DPython3_EXECUTABLE=/usr/bin/python3)
+  local -a options=(--preset "$1" -DPython3_EXECUTABLE="$python")
   (cd "$root" && quietly cmake "${options[@]}") || die 2 "CMake could not configure build/$1 (above)"
 }
 

@@ -4,15 +4,16 @@
 # Reproduces Table 1 of Charalambos, Bittner, Wimmer and Romero, "Optimized HLOD Refinement Driven
 # by Hardware Occlusion Queries" (ISVC 2007): installs what is missing, builds hlodbench, builds the
 # hierarchy of a scene, replays a recorded camera session with the four strategies bool, sw-b,
-# simp-b and coh-b, and prints the table as Markdown on stdout. All else is said on stderr.
+# simp-b and coh-b, and prints the table as Markdown on stdout. All else is said on stderr. It ends by
+# making a report (one HTML file to open in a browser: tables, plots, pictures) and the figures.
 #
 #   (no option)        the courtyard, a scene that hlodbench makes itself; nothing is downloaded
 #                      but missing Debian packages
 #   --paper            scenes 1 and 2 as in the paper, of copies of the Stanford dragon, which
 #                      scripts/fetch_dragon.sh downloads (11 MB; its terms: fetch_dragon.sh --help)
 #   --repetitions N    how often each session is replayed (1 for the courtyard, 5 with --paper)
-#   --out DIR          put the records into DIR/SCENE, which must not exist yet, instead of
-#                      results/runs/SCENE-UTCTIME
+#   --out DIR          put everything into DIR instead of results/runs/UTCTIME: the records in
+#                      DIR/SCENE, DIR/report.html and DIR/figures, none of which may exist yet
 #   --context NAME     how to get OpenGL: auto, egl or osmesa (auto)
 #   --no-install       install no package; end with code 2 if one is missing
 #   --help             this text
@@ -24,9 +25,11 @@
 #
 # Writes only into the repository's folder: build/release (about 100 MB), .cache with hierarchies
 # and models (about 100 MB; with --paper about 3 GB; HLODBENCH_CACHE names another place), and the
-# records (a few MB). Ctrl-C is safe: unfinished records are removed, finished steps stay.
+# results (20 to 60 MB, most of it pictures). Ctrl-C is safe: unfinished records are removed, finished steps stay.
 #
-# Exit codes: 0 the table was printed; 1 a build or a check failed; 2 wrong usage, missing package
+# HLODBENCH_PYTHON names the Python that sees the packages, /usr/bin/python3 where there is one.
+#
+# Exit codes: 0 all was made; 1 a build, a check, the report or a figure failed; 2 wrong usage, missing package
 # or bad input; 3 no usable OpenGL; 130 interrupted.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -47,11 +50,20 @@ hierarchy_seconds() {
 }
 repetition_seconds() {
   case $1 in
-    courtyard) echo 60 ;;
-    scene1) echo 120 ;;
-    *) echo 170 ;;
+    courtyard) echo 45 ;;
+    scene1) echo 95 ;;
+    *) echo 140 ;;
   esac
 }
+picture_seconds() {
+  case $1 in
+    courtyard) echo 15 ;;
+    scene1) echo 30 ;;
+    *) echo 50 ;;
+  esac
+}
+replay_seconds() { echo $((repetitions * $(repetition_seconds "$1") + $(picture_seconds "$1"))); }
+readonly report_seconds=25
 
 # begin_step SECONDS TITLE: says how far we are; SECONDS is what the step usually takes.
 begin_step() {
@@ -100,7 +112,7 @@ explain_missing_gl() {
 
 # replay SCENE: one session with all strategies. The records appear in their place when complete.
 replay() {
-  local records=${record_folders[$1]}
+  local records=$results/$1
   local -a context_option=()
   [ "$context" = auto ] || context_option=(--context "$context")
   mkdir -p -- "${records%/*}"
@@ -108,14 +120,27 @@ replay() {
   chmod 755 "$partial"
   bench run --scene "$cache/$1.hlod" --session "$root/sessions/$1.session.json" \
     --strategy "$strategies" --repetitions "$repetitions" "${context_option[@]}" \
-    --out "$partial" >&2
+    --overlay bias --out "$partial" >&2
   mv -T -- "$partial" "$records"
   partial=
 }
 
-clean_up() { [ -z "$partial" ] || rm -rf -- "$partial"; }
+clean_up() {
+  [ -z "$partial" ] || rm -rf -- "$partial"
+  [ ! -d "$results" ] || rmdir --ignore-fail-on-non-empty -- "$results"
+}
 
-paper=no install=yes repetitions='' out='' context=auto partial=''
+# make_pages: the report and the figures; without them the records and the table stay.
+make_pages() {
+  local program=$root/build/release/bench/hlodbench failed=no
+  "$python" "$root/scripts/report.py" "${folders[@]}" --hlodbench "$program" \
+    --out "$results/report.html" >&2 || failed=yes
+  "$python" "$root/scripts/figures.py" "${folders[@]}" --hlodbench "$program" \
+    --out "$results/figures" >&2 || failed=yes
+  [ "$failed" = no ]
+}
+
+paper=no install=yes repetitions='' results='' context=auto partial=''
 while [ $# -gt 0 ]; do
   case $1 in
     --paper) paper=yes ;;
@@ -127,8 +152,8 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     --out)
-      out=$(option_value "$@")
-      out=$(absolute_path "$out")
+      results=$(option_value "$@")
+      results=$(absolute_path "$results")
       shift
       ;;
     --context)
@@ -158,17 +183,16 @@ fi
 cache=$(cache_folder)
 export HLODBENCH_CACHE=$cache # the scene files name the dragon by it
 
-now=$(date -u +%Y%m%dT%H%M%SZ)
-declare -A record_folders
-step_count=$((1 + 2 * ${#scenes[@]}))
-planned_seconds=$compile_seconds
+results=${results:-$root/results/runs/$(date -u +%Y%m%dT%H%M%SZ)}
+folders=()
+step_count=$((2 + 2 * ${#scenes[@]}))
+planned_seconds=$((compile_seconds + report_seconds))
 for scene in "${scenes[@]}"; do
-  record_folders[$scene]=${out:+$out/$scene}
-  record_folders[$scene]=${record_folders[$scene]:-$root/results/runs/$scene-$now}
-  [ ! -e "${record_folders[$scene]}" ] ||
-    die 2 "--out: ${record_folders[$scene]} already exists; name another folder"
-  planned_seconds=$((planned_seconds + $(hierarchy_seconds "$scene") + \
-    repetitions * $(repetition_seconds "$scene")))
+  folders+=("$results/$scene")
+  planned_seconds=$((planned_seconds + $(hierarchy_seconds "$scene") + $(replay_seconds "$scene")))
+done
+for made in "${folders[@]}" "$results/report.html" "$results/figures"; do
+  [ ! -e "$made" ] || die 2 "--out: $made already exists; name another folder"
 done
 if [ "$paper" = yes ]; then
   step_count=$((step_count + 1))
@@ -193,13 +217,20 @@ for scene in "${scenes[@]}"; do
   bench build "$root/sessions/$scene.scene.json" -o "$cache/$scene.hlod" >&2
 done
 for scene in "${scenes[@]}"; do
-  begin_step $((repetitions * $(repetition_seconds "$scene"))) \
+  begin_step "$(replay_seconds "$scene")" \
     "Replaying $scene $repetitions times with $strategies"
   replay "$scene"
 done
 
-bench table "${record_folders[@]}" --format markdown
-say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s. Records:"
-for scene in "${scenes[@]}"; do
-  say "  ${record_folders[$scene]}"
+begin_step "$report_seconds" "Making the report and the figures"
+pages=made
+make_pages || pages=failed
+
+bench table "${folders[@]}" --format markdown
+say "Done in $((SECONDS / 60)) min $((SECONDS % 60)) s. Records in:"
+for folder in "${folders[@]}"; do
+  say "  $folder"
 done
+[ "$pages" = made ] || die 1 "the report or a figure could not be made (above)"
+say "Open in a browser: $results/report.html"
+say "Figures: $results/figures"

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 import pytest
-from stand_ins import CMAKE, DPKG_QUERY, HLODBENCH, add_program
+from stand_ins import CMAKE, DPKG_QUERY, HLODBENCH, PYTHON, add_program
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -58,4 +58,5 @@ def environment(tmp_path):
         "PATH": f"{programs}:{os.environ['PATH']}",
         "LOG": str(tmp_path / "log"),
         "FAKE_HLODBENCH": str(fake),
+        "HLODBENCH_PYTHON": str(add_program(tmp_path / "fake", "python", PYTHON)),
     }

@@ -27,6 +27,13 @@ if [ "$1" = --build ]; then
 fi
 """
 
+# python3 SCRIPT ... --out TARGET: a report or figures.
+PYTHON = r"""#!/bin/bash
+echo "python ${1##*/} ${*:2}" >>"$LOG"
+[ "${1##*/}" != "${FAIL_AT-}" ] || exit "$FAIL_CODE"
+echo made >"${!#}"
+"""
+
 # Every package is installed but those that MISSING names, separated by spaces.
 DPKG_QUERY = r"""#!/bin/bash
 shift 2

@@ -17,12 +17,29 @@ def test_reproduce_prints_the_table_alone(copy, environment, tmp_path):
     assert result.returncode == 0, result.stderr
     assert result.stdout == "| DN | RARN | D |\n"
     assert "50 % of" in result.stderr
-    (records,) = (copy / "results/runs").iterdir()
-    assert records.name.startswith("courtyard-2")
-    assert [p.name for p in records.iterdir()] == ["run.json"]
+    (results,) = (copy / "results/runs").iterdir()
+    assert results.name.startswith("2")
+    assert everything_under(results) == [
+        "courtyard", "courtyard/run.json", "figures", "report.html",
+    ]  # fmt: skip
     made = calls(environment)
     assert any("--strategy bool,sw-b,simp-b,coh-b --repetitions 2" in call for call in made)
-    assert made[-1] == f"table {records} --format markdown"
+    assert made[-1] == f"table {results}/courtyard --format markdown"
+    assert result.stderr.endswith(
+        f"Open in a browser: {results}/report.html\nFigures: {results}/figures\n"
+    )
+
+
+@pytest.mark.parametrize("script", ["report.py", "figures.py"])
+def test_reproduce_keeps_the_rest_without_a_report_or_figures(copy, environment, script):
+    environment.update(FAIL_AT=script, FAIL_CODE="1")
+    result = run(copy / "scripts/reproduce.sh", env=environment)
+    assert result.returncode == 1
+    assert "could not be made" in result.stderr
+    assert result.stdout == "| DN | RARN | D |\n"
+    (results,) = (copy / "results/runs").iterdir()
+    left = {"report.py": "figures", "figures.py": "report.html"}[script]
+    assert everything_under(results) == sorted(["courtyard", "courtyard/run.json", left])
 
 
 def test_reproduce_writes_where_it_is_told(copy, environment, tmp_path):
@@ -36,14 +53,16 @@ def test_reproduce_writes_where_it_is_told(copy, environment, tmp_path):
     assert result.returncode == 0, result.stderr
     assert everything_under(work) == [
         "my records", "my records/courtyard", "my records/courtyard/run.json",
+        "my records/figures", "my records/report.html",
     ]  # fmt: skip
     assert (tmp_path / "the cache/courtyard.hlod").is_file()
     assert not (copy / ".cache").exists() and not (copy / "results").exists()
     assert any("--context osmesa" in call for call in calls(environment))
 
 
-def test_reproduce_refuses_records_that_exist_before_it_works(copy, environment, tmp_path):
-    (tmp_path / "courtyard").mkdir()
+@pytest.mark.parametrize("name", ["courtyard", "report.html", "figures"])
+def test_reproduce_refuses_what_exists_before_it_works(copy, environment, tmp_path, name):
+    (tmp_path / name).mkdir()
     result = run(copy / "scripts/reproduce.sh", "--out", tmp_path, env=environment)
     assert result.returncode == 2
     assert "already exists" in result.stderr
@@ -108,9 +127,9 @@ def test_interrupted_reproduce_leaves_no_half_written_records(copy, environment,
     )  # fmt: skip
     runs = copy / "results/runs"
     deadline = time.monotonic() + 30
-    while not list(runs.glob(".*/run.json")) and time.monotonic() < deadline:
+    while not list(runs.glob("*/.*/run.json")) and time.monotonic() < deadline:
         time.sleep(0.05)
-    assert list(runs.glob(".*/run.json"))
+    assert list(runs.glob("*/.*/run.json"))
     os.killpg(process.pid, kind)  # as a terminal does
     out, _ = process.communicate(timeout=30)
     assert process.returncode == 128 + kind

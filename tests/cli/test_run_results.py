@@ -93,7 +93,8 @@ def test_run_json_says_how_it_was_made(world, repeated):
 def test_every_case_has_a_complete_csv(repeated):
     out, run = repeated
     assert len(run["cases"]) == 12
-    assert {p.name for p in out.iterdir()} == {"run.json", *(c["csv"] for c in run["cases"])}
+    logs = {c["csv"] for c in run["cases"]}
+    assert {p.name for p in out.iterdir()} == {"run.json", "images", *logs}
     for case in run["cases"]:
         assert case["csv"] == f"{case['strategy']}.{case['repetition']}.csv"
         rows = read_csv(out / case["csv"])
@@ -235,11 +236,11 @@ def test_the_trace_of_a_single_strategy_has_the_name_given(world, tmp_path):
 
 def test_a_second_run_into_a_folder_is_refused(world, repeated):
     out, _ = repeated
-    before = {path.name: path.read_bytes() for path in out.iterdir()}
+    before = {path: path.read_bytes() for path in out.rglob("*") if path.is_file()}
     result = world.hlodbench(*world.arguments(out))
     assert result.returncode == 2
     assert result.stderr.startswith(f"hlodbench: --out {out}: expected a new or empty folder")
-    assert {path.name: path.read_bytes() for path in out.iterdir()} == before
+    assert {path: path.read_bytes() for path in out.rglob("*") if path.is_file()} == before
 
 
 # Interruptions
@@ -272,7 +273,8 @@ def test_an_interrupted_run_keeps_what_is_complete(world, tmp_path, number):
     assert len(run["cases"]) >= 1 and len(run["cases"]) + len(run["missing"]) == 400
     done = {(c["strategy"], c["repetition"]) for c in run["cases"]}
     assert done.isdisjoint((m["strategy"], m["repetition"]) for m in run["missing"])
-    assert {p.name for p in out.iterdir()} == {"run.json", *(c["csv"] for c in run["cases"])}
+    logs = {c["csv"] for c in run["cases"]}
+    assert {p.name for p in out.iterdir()} == {"run.json", *logs}
     for case in run["cases"]:
         assert len(read_csv(out / case["csv"])) == 150
     table = world.hlodbench("table", out)
