@@ -12,6 +12,7 @@ import csv
 import io
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -54,12 +55,13 @@ def run_pair(options, s, t, folder):
                "--repetitions", options.repetitions, "--images", options.images, "--out", partial]
     try:
         code = subprocess.run([str(part) for part in command], check=False).returncode
+        if code != 0:
+            raise BadInput(f"s = {s:g}, t = {t:g}: hlodbench ended with code {code}")
+        partial.rename(folder)
     except OSError as error:
         raise BadInput(f"{options.hlodbench}: cannot be run: {error.strerror}") from None
-    if code != 0:
-        raise BadInput(f"s = {s:g}, t = {t:g}: hlodbench ended with code {code}; "
-                       f"what it left is in {partial}")
-    partial.rename(folder)
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
 
 
 def read_row(options, s, t, folder):
@@ -160,6 +162,8 @@ def main():
     except (BadInput, OSError) as error:
         print(f"bias_grid.py: {error}".replace("\n", " "), file=sys.stderr)
         sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 if __name__ == "__main__":
