@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from result_members import IMAGES, RUN, find_flaw
+
 SCHEMA_MAJOR = "1"
 PAPER_ORDER = ("bool", "sw-b", "simp-b", "coh-b")
 
@@ -125,7 +127,7 @@ class Run:
             self.problems.append(problem)
 
     def _read_picture(self, path):
-        from PIL import Image, UnidentifiedImageError  # pylint: disable=import-outside-toplevel
+        from PIL import Image  # pylint: disable=import-outside-toplevel
 
         if not path.exists():
             self.note(f"{path}: expected a picture, found none")
@@ -133,7 +135,7 @@ class Run:
         try:
             with Image.open(path) as picture:
                 return np.asarray(picture.convert("RGB"))
-        except (OSError, UnidentifiedImageError, SyntaxError, ValueError) as error:
+        except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
             self.note(f"{path}: expected a picture, found a damaged file ({error})")
             return None
 
@@ -146,9 +148,9 @@ def read_run(folder):
     version = data.get("schema_version") if isinstance(data, dict) else None
     if not isinstance(version, str) or version.split(".")[0] != SCHEMA_MAJOR:
         raise ResultError(f"{path}: schema_version: expected {SCHEMA_MAJOR}.x, found {version!r}")
-    for key in ("scene", "session", "context", "cases"):
-        if key not in data:
-            raise ResultError(f"{path}: expected a member \"{key}\", found none")
+    flaw = find_flaw(data, RUN)
+    if flaw:
+        raise ResultError(f"{path}: {flaw}")
     run = Run(folder, data)
     for missing in data.get("missing") or []:
         run.note(f"{folder}: {missing['strategy']}, repetition {missing['repetition']}, is missing:"
@@ -220,6 +222,10 @@ def _read_images(run):
     version = images.get("schema_version") if isinstance(images, dict) else None
     if not isinstance(version, str) or version.split(".")[0] != SCHEMA_MAJOR:
         run.note(f"{path}: schema_version: expected {SCHEMA_MAJOR}.x, found {version!r}")
+        return
+    flaw = find_flaw(images, IMAGES)
+    if flaw:
+        run.note(f"{path}: {flaw}")
         return
     if not images.get("complete", True):
         run.note(f"{path}: the picture pass was interrupted")
