@@ -4,6 +4,7 @@ import base64
 import hashlib
 import json
 import pathlib
+import re
 
 import jinja2
 from markupsafe import Markup
@@ -65,8 +66,9 @@ def compute_hash(script):
 
 
 def guard(code):
-    """Code that may stand inside <script> or <style>."""
-    return code.replace("</", "<\\/")
+    """Code that may stand inside <script>: what would end the element is always inside a string or a
+    regular expression, where a backslash changes nothing."""
+    return re.sub(r"<(?=/script|!--)", r"<\\", code, flags=re.IGNORECASE)
 
 
 def render_page(library, content):
