@@ -108,7 +108,7 @@ class Run:
         if entry is None:
             return None
         name = (entry.get("overlays") or {}).get(overlay) if overlay else entry["file"]
-        if not name:
+        if not isinstance(name, str):
             return None
         path = self.folder / "images" / name
         picture = self._read_picture(path)
@@ -166,7 +166,7 @@ def _read_json(path):
         return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise ResultError(f"{path}: expected the result of `hlodbench run`, found none") from None
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise ResultError(f"{path}: expected JSON: {error}") from None
 
 
@@ -186,7 +186,7 @@ def _read_frames(run, path):
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except (OSError, ValueError, csv.Error) as error:
         run.note(f"{path}: expected a frame log: {error}")
         return {}
     header = rows[0] if rows else []

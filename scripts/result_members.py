@@ -1,7 +1,7 @@
 """What readers rely on in run.json and images.json: checked once, so that nobody else has to.
 
 A shape is a type, a list with the shape of its elements, or a dict of members; a name that ends in
-"?" may be absent or null. int means a whole number from 0 on. Members not named here are free.
+"?" may be absent or null. int means a whole number from 0 to LARGEST. Members not named here are free.
 """
 
 RUN = {
@@ -22,14 +22,16 @@ IMAGES = {
     "full?": [PICTURE],
     "strategies": [{"strategy": str, "frames": [PICTURE]}],
 }
-NAMES = {str: "a text", int: "a whole number from 0 on", dict: "an object", list: "a list"}
+LARGEST = 10_000_000  # more frames or pixels than that are a damaged file
+NAMES = {str: "a text", int: f"a whole number from 0 to {LARGEST}", dict: "an object", list: "a list"}
 
 
 def find_flaw(value, shape, place=""):
     """The first place where the value differs from its shape, as "place: expected ..., found ...";
     None if there is none."""
     kind = _kind(shape)
-    if not isinstance(value, kind) or (kind is int and (isinstance(value, bool) or value < 0)):
+    is_kind = isinstance(value, kind) and not (kind is int and isinstance(value, bool))
+    if not is_kind or (kind is int and not 0 <= value <= LARGEST):
         return f"{place or 'the whole'}: expected {NAMES[kind]}, found {str(value)[:40]!r}"
     if kind is list:
         flaws = (find_flaw(v, shape[0], f"{place}[{i}]") for i, v in enumerate(value))
