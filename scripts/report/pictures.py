@@ -96,7 +96,7 @@ def embed_frame(run, level, frame, album):
         described = run.image_entry(strategy, frame) or {}
         entry["values"][strategy] = {key: described.get(key) for key in VALUES}
         if level.overlays:
-            entry["overlays"][strategy] = embed_overlays(run, strategy, frame, described, album)
+            entry["overlays"][strategy] = embed_overlays(run, strategy, level, described, album)
     return entry
 
 
@@ -117,13 +117,13 @@ def compare(picture, reference, level, album):
     }
 
 
-def embed_overlays(run, strategy, frame, described, album):
-    """Overlay name -> index; flat colours, so exact ones are small."""
+def embed_overlays(run, strategy, level, described, album):
+    """Overlay name -> index, of the overlays of one picture (its entry in images.json)."""
     found = {}
     for overlay in described.get("overlays") or {}:
-        picture = run.image(strategy, frame, overlay)
+        picture = run.image(strategy, described["frame"], overlay)
         if picture is not None:
-            found[overlay] = album.add(picture)
+            found[overlay] = album.add(picture, level.quality)
     return found
 
 

@@ -66,5 +66,5 @@ def describe_selection(run):
     images = run.images or {}
     count = len(run.image_frames())
     how = {"random": f"drawn at random (seed {images.get('seed')})", "all": "all",
-           "list": "chosen by hand"}.get(images.get("selection"), "")
+           "list": "chosen by hand"}.get(str(images.get("selection")), "")
     return f"{count} frames" + (f", {how}" if how else "")

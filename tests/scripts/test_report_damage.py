@@ -12,6 +12,7 @@ pytest.importorskip("PIL", reason="needs python3-pil")
 import fake_run  # noqa: E402
 import report_page  # noqa: E402
 from fake_pictures import save  # noqa: E402
+from report.cli import main  # noqa: E402
 from result_folder import ResultError, read_run  # noqa: E402
 
 FRAMES = (3, 10, 20)
@@ -195,6 +196,40 @@ def test_default_places(fake, run_script, tmp_path):
 def test_same_folder_twice_is_shown_once(fake, report):
     done, out = report(fake.folder, fake.folder)
     assert done.returncode == 0 and "scene-1-data" not in report_page.Page(out).json
+
+
+JUNK = (None, True, -1, 0, 2.5, 10**30, "", "a\0b", "../x", [], [None], {}, {"y": "z"})
+
+
+def list_places(tree, path=()):
+    """Paths of keys to everything in a tree of JSON."""
+    pairs = tree.items() if isinstance(tree, dict) else enumerate(tree) \
+        if isinstance(tree, list) else ()
+    for key, value in pairs:
+        yield (*path, key)
+        yield from list_places(value, (*path, key))
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("name", ["run.json", "images/images.json"])
+def test_junk_anywhere_never_crashes(tmp_path, name, seed, capsys):
+    made = fake_run.make_run(tmp_path / "a", strategies=("bool", "coh-b"), frames=12,
+                             image_frames=(3, 8), size=(24, 18), missing=[("coh-b", 1)])
+    library = report_page.add_library(tmp_path / "library")
+    rng = np.random.default_rng(seed)
+    whole = json.dumps(made.data if name == "run.json" else made.images)
+    places = list(list_places(json.loads(whole)))
+    for place in rng.choice(len(places), 12, replace=False):
+        tree = json.loads(whole)
+        inner = tree
+        for key in places[place][:-1]:
+            inner = inner[key]
+        inner[places[place][-1]] = JUNK[rng.integers(len(JUNK))]
+        fake_run.write_json(made.folder / name, tree)
+        code = main([str(made.folder), "--out", str(tmp_path / "out.html"), "--hlodbench", "none",
+                     "--plot-library", str(library)])
+        error = capsys.readouterr().err
+        assert code in (0, 2) and len(error.splitlines()) == 1, (places[place], error)
 
 
 def test_numbers_that_json_has_not(fake, report):

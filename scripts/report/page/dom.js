@@ -16,9 +16,9 @@ function part(root, name) {
   return root.querySelector(`[data-part="${name}"]`);
 }
 
-/** A number with so many digits, whole numbers without any; a dash for none. */
+/** A number with so many digits, whole numbers without any; a dash for what is none. */
 function formatValue(value, digits) {
-  if (value === null || value === undefined) return DASH;
+  if (!Number.isFinite(value)) return DASH;
   return Number.isInteger(value) ? String(value) : value.toFixed(digits);
 }
 

@@ -151,6 +151,7 @@ class PlotGroup {
     if (isVisible) this.hidden.delete(strategy);
     else this.hidden.add(strategy);
     const index = this.data.plotted.indexOf(strategy);
+    if (index < 0) return;
     for (const plot of this.plots) plot.setVisibility(index, isVisible);
   }
 

@@ -105,7 +105,8 @@ class Scene {
   /** Shows in a swatch how the strategy's line looks. */
   paint(swatch, id) {
     const style = this.data.strategy(id);
-    swatch.style.background = makeDashes(isDark() ? style.darkColor : style.color, style.dash);
+    if (style)  // a name with a NUL, say, does not come through HTML
+      swatch.style.background = makeDashes(isDark() ? style.darkColor : style.color, style.dash);
     return swatch;
   }
 

@@ -11,10 +11,19 @@ const PICTURE_ROWS = [
   [() => "RARN in the picture's frame", (values) => formatValue(values.rarn_nodes, 0)],
 ];
 
+/** What the colours of an overlay say. */
+const OVERLAYS = {
+  bias: "how much refinement is modulated: blue weak, magenta moderate, red strong",
+  level: "a colour for each level of the nodes drawn",
+  node: "a colour for each node drawn",
+  rarn: "red: nodes rendered and then refined; orange: what was drawn over them",
+};
+
 /** Planes that are equal have no finite PSNR: images.json has null for them. */
 function formatPsnr(planes, plane) {
-  if (!planes || planes[plane] === undefined) return DASH;
-  return planes[plane] === null ? "identical" : planes[plane].toFixed(2);
+  const value = planes ? planes[plane] : undefined;
+  if (value === null) return "identical";
+  return Number.isFinite(value) ? value.toFixed(2) : DASH;
 }
 
 class Viewer {
@@ -131,7 +140,8 @@ class Viewer {
     part(this.root, "overlay-figure").hidden = !uri;
     setPicture(part(this.root, "overlay-picture"), uri,
                `Overlay ${name} of ${label} in frame ${this.frame}`);
-    part(this.root, "overlay-caption").textContent = `Overlay “${name}” of ${label}.`;
+    const meaning = Object.hasOwn(OVERLAYS, name) ? `: ${OVERLAYS[name]}` : "";
+    part(this.root, "overlay-caption").textContent = `Overlay “${name}” of ${label}${meaning}.`;
   }
 
   /** All counters of the frame, and what images.json says of its pictures. */
