@@ -78,8 +78,8 @@ def make_scene(index, run, embedded, table, paper):
     data = run.data
     facts = (f"{format_count(data['scene'].get('triangles'))} triangles, "
              f"{format_count(data['scene'].get('nodes'))} nodes; "
-             f"session {data['session'].get('name')}, {data['session']['frames']} frames, "
-             f"{data.get('repetitions')} repetitions")
+             f"session {data['session'].get('name')}, {data['session']['frames']} frames; "
+             f"repetitions: {data.get('repetitions')}")
     return {
         "id": f"scene-{index}",
         "name": run.scene,

@@ -13,7 +13,7 @@ PAGE_FOLDER = pathlib.Path(__file__).resolve().parent / "page"
 STYLES = ("base.css", "tables.css", "scene.css", "print.css")
 # In the order in which they build on one another.
 SCRIPTS = ("dom.js", "data.js", "theme.js", "copy.js", "plot.js", "compare.js", "viewer.js",
-           "scene.js", "main.js")
+           "scene.js", "print.js", "main.js")
 
 
 class MissingLibrary(Exception):

@@ -1,8 +1,10 @@
 """report.py: the page in a real browser, from disk and without a network."""
 
+import base64
 import io
 import os
 import shutil
+import subprocess
 import sys
 
 import pytest
@@ -371,6 +373,44 @@ def test_page_is_as_wide_as_the_window(page, width):
         assert page.find_element(By.CSS_SELECTOR, ".plot").size["width"] > 0.6 * min(width, 1300)
     finally:
         page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_plots_fit_on_paper_with_their_labels(page):
+    def measure():
+        """Widths of canvas and plot, and where in them frame 30 is labelled, a share."""
+        return page.execute_script("""
+          const plot = document.querySelector(".plot"), box = plot.getBoundingClientRect();
+          const label = [...plot.querySelectorAll(".dygraph-axis-label-x")].find(
+            (element) => element.textContent === "30").getBoundingClientRect();
+          return [plot.querySelector("canvas").getBoundingClientRect().width, box.width,
+                  ((label.left + label.right) / 2 - box.left) / box.width];""")
+
+    before = measure()
+    assert before[0] == before[1] > 1000
+    page.execute_script("window.dispatchEvent(new Event('beforeprint'))")
+    canvas, width, place = measure()
+    assert canvas == pytest.approx(680) and width == pytest.approx(680)
+    assert place == pytest.approx(before[2], abs=0.001), "the label stays at its frame"
+    page.execute_script("window.dispatchEvent(new Event('afterprint'))")
+    assert measure() == before
+
+
+def test_print_shows_the_curves_in_light_colours(page, made, tmp_path):
+    pdftoppm = shutil.which("pdftoppm")
+    if not pdftoppm:
+        pytest.skip("needs poppler-utils")
+    page.find_element(By.CSS_SELECTOR, '[data-part="theme"]').click()
+    pdf = page.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"]
+    (tmp_path / "page.pdf").write_bytes(base64.b64decode(pdf))
+    subprocess.run([pdftoppm, "-r", "96", tmp_path / "page.pdf", tmp_path / "p"], check=True)
+    data = report_page.Page(made[0] / "report.html").json["scene-0-data"]
+    color = [int(data["strategies"][3]["color"][i : i + 2], 16) for i in (1, 3, 5)]
+    found = 0
+    for path in tmp_path.glob("p-*.ppm"):
+        picture = np.asarray(Image.open(path)).astype(int)
+        found += (np.abs(picture - color).max(axis=2) < 40).sum()
+        assert picture[:20, :20].min() == 255, "paper is white"
+    assert found > 300, "Coh(B)'s curve is on paper"
 
 
 def test_nothing_is_fetched(page):

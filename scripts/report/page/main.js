@@ -22,5 +22,6 @@ document.addEventListener("keydown", (event) => {
   active.step(step);
 });
 
+setUpPrinting(scenes);
 setUpCopying(readJson("texts"));
 setUpTheme(part(document, "theme"), () => scenes.forEach((scene) => scene.recolor()));

@@ -155,6 +155,16 @@ class PlotGroup {
     for (const plot of this.plots) plot.setVisibility(index, isVisible);
   }
 
+  /** Scales what is drawn to a width in pixels, or back with null. Plots of another size would have
+      to be drawn anew, which comes too late for the printer. */
+  scaleTo(width) {
+    for (const box of this.container.querySelectorAll(".plot")) {
+      const drawn = box.offsetWidth;
+      box.style.width = width ? `${drawn}px` : "";
+      box.style.zoom = width ? String(width / drawn) : "";
+    }
+  }
+
   /** Marks the frame that the viewer shows. */
   mark(frame) {
     this.frame = frame;

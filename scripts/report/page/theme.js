@@ -2,11 +2,11 @@
 
 const THEME_KEY = "hlodbench-report-theme";
 const systemDark = window.matchMedia("(prefers-color-scheme: dark)");
-let printing = false;
+let isPrinting = false;
 
 function isDark() {
   const chosen = document.documentElement.dataset.theme;
-  return !printing && (chosen ? chosen === "dark" : systemDark.matches);
+  return !isPrinting && (chosen ? chosen === "dark" : systemDark.matches);
 }
 
 /** Some browsers refuse storage to files: the choice then lasts as long as the page. */
@@ -26,7 +26,7 @@ function recall() {
   }
 }
 
-/** Wires the button; calls onChange() whenever the colours change. Paper is always light. */
+/** Wires the button; calls onChange() whenever the colours change. */
 function setUpTheme(button, onChange) {
   const saved = recall();
   if (saved === "dark" || saved === "light") document.documentElement.dataset.theme = saved;
@@ -41,10 +41,5 @@ function setUpTheme(button, onChange) {
     update();
   });
   systemDark.addEventListener("change", update);
-  for (const [event, value] of [["beforeprint", true], ["afterprint", false]])
-    window.addEventListener(event, () => {
-      printing = value;
-      onChange();
-    });
   update();
 }
