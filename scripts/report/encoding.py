@@ -8,7 +8,8 @@ import numpy as np
 from PIL import Image
 
 AMPLIFY = 8  # of difference pictures
-BASE64_GROWTH = 4 / 3
+
+ALL_OVERLAYS = 99
 
 
 @dataclass(frozen=True)
@@ -16,16 +17,16 @@ class Level:
     """How pictures are embedded; a step down costs quality and saves space."""
 
     quality: int  # of WebP, 0 to 100
-    overlays: bool = True
+    overlays: int = ALL_OVERLAYS  # how many of each picture's, in the order of images.json
     stride: int = 1  # every so many frames with pictures
 
 
 # Tried from the first on until the report is small enough. Overlays go before the pictures get so
 # coarse that artefacts could be taken for errors of a strategy; frames go last.
 LEVELS = (
-    Level(92), Level(86), Level(80),
-    Level(90, overlays=False), Level(80, overlays=False), Level(70, overlays=False),
-    *(Level(70, overlays=False, stride=2**i) for i in range(1, 12)),
+    Level(92), Level(86), Level(80), Level(86, overlays=1), Level(80, overlays=1),
+    Level(90, overlays=0), Level(80, overlays=0), Level(70, overlays=0),
+    *(Level(70, overlays=0, stride=2**i) for i in range(1, 12)),
 )
 
 

@@ -68,7 +68,7 @@ def embed(run, level, frames):
     data = {
         "width": images["width"], "height": images["height"], "amplify": AMPLIFY,
         "reference": images.get("reference"), "region": list(REGION),
-        "overlays": [str(o) for o in images.get("overlays") or []] if level.overlays else [],
+        "overlays": list_overlays(run, level),
         "frames": [embed_frame(run, level, frame, album) for frame in frames],
     }
     return Embedded(data, album.uris, album.size)
@@ -95,8 +95,7 @@ def embed_frame(run, level, frame, album):
     for strategy in run.image_strategies():
         described = run.image_entry(strategy, frame) or {}
         entry["values"][strategy] = {key: described.get(key) for key in VALUES}
-        if level.overlays:
-            entry["overlays"][strategy] = embed_overlays(run, strategy, level, described, album)
+        entry["overlays"][strategy] = embed_overlays(run, strategy, level, described, album)
     return entry
 
 
@@ -117,10 +116,17 @@ def compare(picture, reference, level, album):
     }
 
 
+def list_overlays(run, level):
+    """Names of the overlays that are embedded."""
+    return (run.images.get("overlays") or [])[: level.overlays]
+
+
 def embed_overlays(run, strategy, level, described, album):
     """Overlay name -> index, of the overlays of one picture (its entry in images.json)."""
     found = {}
-    for overlay in described.get("overlays") or {}:
+    for overlay in list_overlays(run, level):
+        if overlay not in (described.get("overlays") or {}):
+            continue
         picture = run.image(strategy, described["frame"], overlay)
         if picture is not None:
             found[overlay] = album.add(picture, level.quality)
@@ -133,9 +139,11 @@ def describe_level(level, runs):
         f"Pictures are coded with loss (WebP, quality {level.quality}) to keep this file small. PSNR, "
         "differences and worst regions were computed from the lossless files."
     ]
-    overlays = any(run.images.get("overlays") for run in runs if run.images)
-    if overlays and not level.overlays:
-        lines.append("The overlay pictures were left out: with them this file would be too large.")
+    names = dict.fromkeys(name for run in runs if run.images
+                          for name in (run.images.get("overlays") or [])[level.overlays :])
+    if names:
+        lines.append(f"The overlay pictures {', '.join(names)} were left out: with them this file "
+                     "would be too large.")
     if level.stride > 1:
         lines.append(f"Only every {level.stride}th frame with pictures is shown, or this file would "
                      "be too large.")

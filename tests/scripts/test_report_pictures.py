@@ -17,7 +17,8 @@ LARGE = 10**9
 
 @pytest.fixture
 def fake(tmp_path):
-    return fake_run.make_run(tmp_path, image_frames=FRAMES, size=(160, 120))
+    return fake_run.make_run(tmp_path, image_frames=FRAMES, size=(160, 120),
+                             overlays=("bias", "level"))
 
 
 def embed(folder, budget=LARGE):
@@ -91,18 +92,27 @@ def test_budget_is_kept_and_what_it_cost_is_said(fake):
         assert embedded.size <= share * whole.size
         sizes.append(embedded.size)
     assert sizes == sorted(sizes, reverse=True)
-    assert not level.overlays and level.stride > 1
+    assert level.overlays == 0 and level.stride > 1
     assert not any(e["overlays"].get("coh-b") for e in embedded.data["frames"])
     lines = " ".join(pictures.describe_level(level, [run]))
-    assert "overlay pictures were left out" in lines and "Only every" in lines
+    assert "overlay pictures bias, level were left out" in lines and "Only every" in lines
 
 
 def test_overlays_go_before_frames():
     worse = encoding.LEVELS
     for before, after in zip(worse, worse[1:]):
-        assert before.overlays or not after.overlays
+        assert after.overlays <= before.overlays
         assert after.stride >= before.stride
-        assert after.stride == 1 or not after.overlays
+        assert after.stride == 1 or after.overlays == 0
+
+
+def test_first_overlay_stays_longest(fake):
+    run = read_run(fake.folder)
+    level = encoding.Level(80, overlays=1)
+    embedded = pictures.embed(run, level, FRAMES)
+    assert embedded.data["overlays"] == ["bias"]
+    assert list(entry_of(embedded, 3)["overlays"]["coh-b"]) == ["bias"]
+    assert "overlay pictures level were" in pictures.describe_level(level, [run])[1]
 
 
 def test_pictures_that_the_page_cannot_show_are_named(fake):
