@@ -1,4 +1,4 @@
-"""The parts of scripts/report.py: reading and encoding in Python, the page in page/ and its scripts.
+"""The parts of scripts/report.py: reading and encoding here, the page and its scripts in page/.
 
 cli           options and the order of things
 program_table Table 1, from what `hlodbench table` prints

@@ -41,10 +41,11 @@ def parse_arguments(arguments):
                         "build/release/bench/hlodbench in the repository)")
     parser.add_argument("--plot-library", metavar="FOLDER", type=pathlib.Path,
                         default=PLOT_LIBRARY,
-                        help="folder with dygraph.min.js and dygraph.min.css (default: %(default)s)")
+                        help="folder with dygraph.min.js and dygraph.min.css "
+                        "(default: %(default)s)")
     parser.add_argument("--max-size", metavar="MB", type=float, default=25.0,
-                        help="largest size of the report in MB; pictures get coarser, then overlays "
-                        "and frames are left out to keep it (default: %(default)g)")
+                        help="largest size of the report in MB; to keep it, pictures get coarser, "
+                        "then overlays and frames are left out (default: %(default)g)")
     options = parser.parse_args(arguments)
     if not 1 <= options.max_size <= 2000:
         parser.error(f"--max-size: expected 1 to 2000 MB, found {options.max_size:g}")
@@ -156,7 +157,8 @@ def main(arguments=None):
         write_file(path, text)
     except OSError as error:
         return fail(f"{path}: {error.strerror}")
-    frames = sum(len((s["data"]["pictures"] or {"frames": []})["frames"]) for s in content["scenes"])
+    pictures_of = [scene["data"]["pictures"] for scene in content["scenes"]]
+    frames = sum(len(shown["frames"]) for shown in pictures_of if shown)
     count = len(content["problems"])
     print(f"{path}: {len(runs)} results, {frames} frames with pictures, "
           f"{len(text.encode()) / MEGABYTE:.1f} MB"

@@ -66,8 +66,8 @@ def compute_hash(script):
 
 
 def guard(code):
-    """Code that may stand inside <script>: what would end the element is always inside a string or a
-    regular expression, where a backslash changes nothing."""
+    """Code that may stand inside <script>: what would end the element is always inside a string or
+    a regular expression, where a backslash changes nothing."""
     return re.sub(r"<(?=/script|!--)", r"<\\", code, flags=re.IGNORECASE)
 
 

@@ -136,8 +136,8 @@ def embed_overlays(run, strategy, level, described, album):
 def describe_level(level, runs):
     """Lines of the report on how pictures were embedded."""
     lines = [
-        f"Pictures are coded with loss (WebP, quality {level.quality}) to keep this file small. PSNR, "
-        "differences and worst regions were computed from the lossless files."
+        f"Pictures are coded with loss (WebP, quality {level.quality}) to keep this file small. "
+        "PSNR, differences and worst regions were computed from the lossless files."
     ]
     names = dict.fromkeys(name for run in runs if run.images
                           for name in (run.images.get("overlays") or [])[level.overlays :])
@@ -145,6 +145,6 @@ def describe_level(level, runs):
         lines.append(f"The overlay pictures {', '.join(names)} were left out: with them this file "
                      "would be too large.")
     if level.stride > 1:
-        lines.append(f"Only every {level.stride}th frame with pictures is shown, or this file would "
-                     "be too large.")
+        lines.append(f"Only every {level.stride}th frame with pictures is shown, or this file "
+                     "would be too large.")
     return lines

@@ -11,7 +11,7 @@ CONTRAST = 4.5  # what text needs (WCAG 2, level AA); lines would do with 3
 
 
 def make_styles(strategies):
-    """{id: {color, darkColor (for a dark page), dash (pixels on, off, ...; [] is solid), width}}."""
+    """{id: {color, darkColor (on a dark page), dash (pixels on, off, ...; [] is solid), width}}."""
     made = {}
     for strategy, style in styles_of(strategies).items():
         width = style.width * PIXELS_PER_POINT

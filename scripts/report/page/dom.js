@@ -22,8 +22,8 @@ function formatValue(value, digits) {
   return Number.isInteger(value) ? String(value) : value.toFixed(digits);
 }
 
-/** Fills a table: header texts, and rows whose first cell, a text or a list of what stands in it, is
-    their heading. */
+/** Fills a table: header texts, and rows whose first cell, a text or a list of what stands in it,
+    is their heading. */
 function fillTable(table, header, rows) {
   const head = make("tr", {}, ...header.map((text) => make("th", { scope: "col" }, text)));
   const body = rows.map((row) =>

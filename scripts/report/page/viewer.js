@@ -107,7 +107,8 @@ class Viewer {
     const { width, height, amplify } = this.data.pictures;
     const pair = `${this.data.label(strategy)} and ${this.data.label(reference)}`;
     const caption = part(this.root, "difference-caption");
-    setPicture(part(this.root, "difference-picture"), this.data.uri(compared && compared.difference),
+    setPicture(part(this.root, "difference-picture"),
+               this.data.uri(compared && compared.difference),
                `Difference of ${pair} in frame ${this.frame}, amplified ${amplify} times`);
     placeRegion(part(this.root, "difference-region"), compared && compared.region, width, height);
     placeRegion(part(this.root, "region"), compared && compared.region, width, height);
@@ -125,12 +126,13 @@ class Viewer {
     const names = [this.data.label(reference), this.data.label(strategy), `difference ×${amplify}`];
     part(this.root, "crops").replaceChildren(...names.map((name, i) => {
       const alternative = `${name}, the worst region, magnified`;
-      return make("div", {}, make("img", { src: this.data.uri(compared.crops[i]), alt: alternative }),
+      const picture = make("img", { src: this.data.uri(compared.crops[i]), alt: alternative });
+      return make("div", {}, picture,
                   make("span", {}, name));
     }));
     part(this.root, "worst-caption").textContent =
-      `Worst region, ${width}×${height} pixels at (${left}, ${top}), magnified, exact pixels: mean ` +
-      `squared difference of luminance ${formatValue(compared.error, 2)}.`;
+      `Worst region, ${width}×${height} pixels at (${left}, ${top}), magnified, exact pixels: ` +
+      `mean squared difference of luminance ${formatValue(compared.error, 2)}.`;
   }
 
   showOverlay(entry, strategy) {
