@@ -73,7 +73,20 @@ def choose_output(folders):
     return pathlib.Path(os.path.commonpath([f.resolve() for f in folders])) / "report.html"
 
 
-def make_scene(index, run, embedded, table, paper):
+def name_runs(runs):
+    """What the page calls each run: its scene, and with several of one scene its folder, too."""
+    scenes = [run.scene for run in runs]
+    folders = [run.folder.resolve().name for run in runs]
+    names = []
+    for run, scene, folder in zip(runs, scenes, folders):
+        if scenes.count(scene) == 1:
+            names.append(scene)
+        else:
+            names.append(f"{scene} ({folder if folders.count(folder) == 1 else run.folder})")
+    return names
+
+
+def make_scene(index, name, run, embedded, table, paper):
     """What the page shows of one run."""
     folder = str(run.folder)
     data = run.data
@@ -83,7 +96,7 @@ def make_scene(index, run, embedded, table, paper):
              f"repetitions: {data.get('repetitions')}")
     return {
         "id": f"scene-{index}",
-        "name": run.scene,
+        "name": name,
         "folder": folder,
         "facts": facts,
         "rows": table.rows.get(folder, []),
@@ -104,8 +117,8 @@ def make_content(options, runs, problems):
     table = program_table.make_table(options.hlodbench, [run.folder for run in runs], paper)
     # Numbers and the page itself take about one megabyte.
     embedded, level = pictures.embed_all(runs, max(options.max_size - 1, 0.5) * MEGABYTE)
-    scenes = [make_scene(i, run, e, table, paper)
-              for i, (run, e) in enumerate(zip(runs, embedded))]
+    scenes = [make_scene(i, *parts, table, paper)
+              for i, parts in enumerate(zip(name_runs(runs), runs, embedded))]
     lines = problems + [p for run in runs for p in run.problems]
     lines += [p for p in table.problems if table.texts]
     return {

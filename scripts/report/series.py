@@ -4,15 +4,15 @@ import math
 
 from .styles import make_styles
 
-# key -> name, unit, digits behind the point that the report stores and shows
+# key -> name, unit where the name does not say it, digits behind the point that the report stores and shows
 COUNTERS = {
-    "dn": ("DN: drawn nodes", "nodes", 2),
-    "rarn": ("RARN: rendered, then refined", "nodes", 2),
-    "d": ("D: delayed, then drawn", "nodes", 2),
-    "delays": ("all delayed nodes", "nodes", 2),
-    "queries": ("queries issued", "queries", 2),
-    "triangles": ("triangles drawn", "triangles", 2),
-    "nodes_visited": ("nodes visited", "nodes", 2),
+    "dn": ("DN: drawn nodes", "", 2),
+    "rarn": ("RARN: rendered, then refined", "", 2),
+    "d": ("D: delayed, then drawn", "", 2),
+    "delays": ("all delayed nodes", "", 2),
+    "queries": ("queries issued", "", 2),
+    "triangles": ("triangles drawn", "", 2),
+    "nodes_visited": ("nodes visited", "", 2),
     "frame_ms": ("frame time", "ms", 3),
     "cpu_ms": ("processor time", "ms", 3),
     "wait_ms": ("waiting for queries", "ms", 3),

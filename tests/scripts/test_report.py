@@ -156,6 +156,15 @@ def test_stored_numbers_are_those_shown(tmp_path):
         assert float(f"{value:.3f}") == value
 
 
+def test_runs_of_one_scene_can_be_told_apart(tmp_path, make_report):
+    for name in ("a", "b", "c"):
+        fake_run.make_run(tmp_path / name, scene="other" if name == "c" else "same")
+    page = make_report(*(tmp_path / name for name in ("a", "b", "c")))
+    assert page.rows("environment")["Scene"] == ["same (a)", "same (b)", "other"]
+    for name in ("same (a)", "same (b)", "other"):
+        assert f"Frames of {name}" in page.text
+
+
 def test_environment_and_warnings(tmp_path, make_report):
     fake_run.make_run(tmp_path / "a", missing=[("coh-b", 1)])
     page = make_report(tmp_path / "a")

@@ -54,6 +54,16 @@ def test_hover_shows_the_frame_logs(page, made):
     assert "frame 3" in cells(find(page, "readout"))
 
 
+def test_ticks_are_plain_numbers(page):
+    input_of(page, "counter", "dn").click()
+    for counter, allowed in (("triangles", {"0", "100k", "200k"}), ("rarn", {"0", "5", "10"})):
+        input_of(page, "counter", counter).click()
+        labels = page.find_elements(By.CSS_SELECTOR, "#scene-0 .plot .dygraph-axis-label-y")
+        texts = {label.text for label in labels}
+        assert texts & allowed and not any(text.endswith(("m", "K")) for text in texts)
+        input_of(page, "counter", counter).click()
+
+
 def test_click_shows_the_nearest_frame_with_pictures(page, made):
     plot, x, y = place_of(page, 12)
     ActionChains(page).move_to_element_with_offset(plot, x, y).click().perform()

@@ -12,6 +12,12 @@ function makeInteraction() {
   return model;
 }
 
+/** A tick of the values' axis, in short: 250k, 1.5M, 0.5. */
+function formatTick(value) {
+  const [factor, unit] = value >= 1e6 ? [1e6, "M"] : value >= 1e4 ? [1e3, "k"] : [1, ""];
+  return String(Number((value / factor).toPrecision(6))) + unit;
+}
+
 class PlotGroup {
   /** events: hover(frame or null), click(frame), zoom(first, last). */
   constructor(container, data, events) {
@@ -53,12 +59,13 @@ class PlotGroup {
       labels: ["frame", ...this.data.plotted.map((_, i) => `s${i}`)],
       legend: "never",
       includeZero: true,
+      drawPoints: this.data.frames === 1,
+      pointSize: 3,
       xRangePad: 6,
-      labelsKMB: true,
       highlightCircleSize: 4,
       interactionModel: makeInteraction(),
       dateWindow: this.range,
-      axes: { x: { drawGrid: false, pixelsPerLabel: 55 }, y: { pixelsPerLabel: 32 } },
+      axes: { x: { drawGrid: false, pixelsPerLabel: 55 }, y: { pixelsPerLabel: 32, axisLabelFormatter: formatTick } },
       visibility: this.data.plotted.map((id) => !this.hidden.has(id)),
       ...this.makeColors(),
       underlayCallback: (context, area, plot) => this.drawMarks(context, area, plot),
