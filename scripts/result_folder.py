@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from result_members import IMAGES, RUN, find_flaw
+
 SCHEMA_MAJOR = "1"
 PAPER_ORDER = ("bool", "sw-b", "simp-b", "coh-b")
 
@@ -106,7 +108,7 @@ class Run:
         if entry is None:
             return None
         name = (entry.get("overlays") or {}).get(overlay) if overlay else entry["file"]
-        if not name:
+        if not isinstance(name, str):
             return None
         path = self.folder / "images" / name
         picture = self._read_picture(path)
@@ -125,7 +127,7 @@ class Run:
             self.problems.append(problem)
 
     def _read_picture(self, path):
-        from PIL import Image, UnidentifiedImageError  # pylint: disable=import-outside-toplevel
+        from PIL import Image  # pylint: disable=import-outside-toplevel
 
         if not path.exists():
             self.note(f"{path}: expected a picture, found none")
@@ -133,7 +135,7 @@ class Run:
         try:
             with Image.open(path) as picture:
                 return np.asarray(picture.convert("RGB"))
-        except (OSError, UnidentifiedImageError, SyntaxError, ValueError) as error:
+        except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
             self.note(f"{path}: expected a picture, found a damaged file ({error})")
             return None
 
@@ -146,9 +148,9 @@ def read_run(folder):
     version = data.get("schema_version") if isinstance(data, dict) else None
     if not isinstance(version, str) or version.split(".")[0] != SCHEMA_MAJOR:
         raise ResultError(f"{path}: schema_version: expected {SCHEMA_MAJOR}.x, found {version!r}")
-    for key in ("scene", "session", "context", "cases"):
-        if key not in data:
-            raise ResultError(f"{path}: expected a member \"{key}\", found none")
+    flaw = find_flaw(data, RUN)
+    if flaw:
+        raise ResultError(f"{path}: {flaw}")
     run = Run(folder, data)
     for missing in data.get("missing") or []:
         run.note(f"{folder}: {missing['strategy']}, repetition {missing['repetition']}, is missing:"
@@ -164,7 +166,7 @@ def _read_json(path):
         return json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise ResultError(f"{path}: expected the result of `hlodbench run`, found none") from None
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise ResultError(f"{path}: expected JSON: {error}") from None
 
 
@@ -184,7 +186,7 @@ def _read_frames(run, path):
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except (OSError, ValueError, csv.Error) as error:
         run.note(f"{path}: expected a frame log: {error}")
         return {}
     header = rows[0] if rows else []
@@ -220,6 +222,10 @@ def _read_images(run):
     version = images.get("schema_version") if isinstance(images, dict) else None
     if not isinstance(version, str) or version.split(".")[0] != SCHEMA_MAJOR:
         run.note(f"{path}: schema_version: expected {SCHEMA_MAJOR}.x, found {version!r}")
+        return
+    flaw = find_flaw(images, IMAGES)
+    if flaw:
+        run.note(f"{path}: {flaw}")
         return
     if not images.get("complete", True):
         run.note(f"{path}: the picture pass was interrupted")
