@@ -1,6 +1,6 @@
 """The table of PSNR: from the summaries in images.json, beside what the paper prints."""
 
-from .values import DASH, format_fixed, format_share, get_path, to_number
+from .values import DASH, TIE, format_fixed, format_share, get_path, to_number
 
 PLANES = ("y", "cb", "cr")
 
@@ -11,10 +11,10 @@ def format_psnr(statistic):
     mean = to_number(get_path(statistic, "mean"))
     identical = int(to_number(get_path(statistic, "identical")) or 0)
     if mean is None:
-        return f"{identical} identical" if identical else DASH
+        return f"{identical}{TIE}identical" if identical else DASH
     deviation = to_number(get_path(statistic, "stddev"))
-    text = f"{mean:.2f}" + ("" if deviation is None else f" ± {deviation:.2f}")
-    return text + (f" ({identical} identical)" if identical else "")
+    text = f"{mean:.2f}" + ("" if deviation is None else f"{TIE}±{TIE}{deviation:.2f}")
+    return text + (f" ({identical}{TIE}identical)" if identical else "")
 
 
 def make_quality(run, paper):
@@ -38,7 +38,7 @@ def make_quality(run, paper):
             "label": run.label(strategy),
             **cells,
             "full_y": format_psnr(get_path(summary, "vs_full", "y")),
-            "wrong": wrong if wrong == DASH else f"{wrong} (at most {largest})",
+            "wrong": wrong if wrong == DASH else f"{wrong} (at{TIE}most{TIE}{largest})",
             "cracks": format_fixed(get_path(summary, "crack_pixels"), 0),
             "is_paper": False,
         })

@@ -4,7 +4,7 @@ import math
 
 from .styles import make_styles
 
-# key -> name, unit where the name does not say it, digits behind the point that the report stores and shows
+# key -> name, unit where the name does not say it, digits behind the point (stored and shown)
 COUNTERS = {
     "dn": ("DN: drawn nodes", "", 2),
     "rarn": ("RARN: rendered, then refined", "", 2),

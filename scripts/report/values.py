@@ -3,6 +3,7 @@
 import math
 
 DASH = "–"
+TIE = "\N{NO-BREAK SPACE}"
 
 
 def to_number(value):
@@ -35,7 +36,7 @@ def format_share(share):
     number = to_number(share)
     if number is None:
         return DASH
-    return "0 %" if number == 0 else f"{100 * number:.3g} %"
+    return f"0{TIE}%" if number == 0 else f"{100 * number:.3g}{TIE}%"
 
 
 def get_path(tree, *keys):

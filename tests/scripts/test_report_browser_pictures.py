@@ -35,17 +35,17 @@ def test_slider_changes_what_is_seen(page, made):
     stack = find(page, "stack")
     page.execute_script("for (const e of document.querySelectorAll('.region')) e.remove()")
     shown = {}
-    for percent in (40, 60):
+    for percent in (50, 54):
         slide_to(page, percent)
         picture = seen(page, stack)
         # The planted square is at 52 %: black if right of the edge, else as in the reference.
         y, x = int(70 / 240 * picture.shape[0]), int(165 / 320 * picture.shape[1])
         shown[percent] = picture[y, x]
     pictures = made[1][0].pictures
-    assert np.abs(shown[40] - pictures["coh-b", 10][70, 165]).max() < 12
-    assert np.abs(shown[60] - pictures["bool", 10][70, 165]).max() < 12
+    assert np.abs(shown[50] - pictures["coh-b", 10][70, 165]).max() < 12
+    assert np.abs(shown[54] - pictures["bool", 10][70, 165]).max() < 12
     find(page, "slider").send_keys(Keys.ARROW_LEFT)
-    assert "59%" in find(page, "right").get_attribute("style")
+    assert "53%" in find(page, "right").get_attribute("style")
     # A drag over the picture does the same.
     ActionChains(page).move_to_element(stack).click_and_hold().move_by_offset(
         -int(stack.size["width"] / 4), 0).release().perform()

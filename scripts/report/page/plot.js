@@ -65,7 +65,10 @@ class PlotGroup {
       highlightCircleSize: 4,
       interactionModel: makeInteraction(),
       dateWindow: this.range,
-      axes: { x: { drawGrid: false, pixelsPerLabel: 55 }, y: { pixelsPerLabel: 32, axisLabelFormatter: formatTick } },
+      axes: {
+        x: { drawGrid: false, pixelsPerLabel: 55 },
+        y: { pixelsPerLabel: 32, axisLabelFormatter: formatTick },
+      },
       visibility: this.data.plotted.map((id) => !this.hidden.has(id)),
       ...this.makeColors(),
       underlayCallback: (context, area, plot) => this.drawMarks(context, area, plot),
