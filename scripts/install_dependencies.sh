@@ -28,7 +28,7 @@ build_packages=(
 optional_packages=(libosmesa6-dev)
 test_packages=(
   libgtest-dev libgmock-dev python3-pytest python3-jsonschema zstd clang-format shellcheck
-  ffmpeg chromium chromium-driver python3-selenium
+  ffmpeg chromium chromium-driver python3-selenium poppler-utils
 )
 
 as_root() {
