@@ -6,6 +6,7 @@
 #include <array>
 
 #include "hlod/core/error.h"
+#include "hlod/render/driver_memory.h"
 #include "hlod/render/gl_context_kinds.h"
 #include "hlod/render/gl_debug.h"
 
@@ -27,6 +28,7 @@ std::string getGlString(GLenum name) {
 }
 
 std::unique_ptr<GlContext> make(const GlContextInfo& info, const GlContextOptions& options) {
+  keepDriverMemory();
   std::unique_ptr<GlContext> context = info.make(options);
   context->name = info.name;
   context->vendor = getGlString(GL_VENDOR);

@@ -78,6 +78,10 @@ void main() {})";
 constexpr GLushort kBoxTriangles[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
                                         2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
 
+bool hasNarrowIndices(const Node& node) {
+  return node.vertexCount <= 65536;
+}
+
 void fillBuffer(GLenum target, GLuint buffer, const std::string& label, const void* data,
                 std::size_t size) {
   while (glGetError() != GL_NO_ERROR) {
@@ -113,14 +117,36 @@ void Renderer::uploadGeometry() {
   glBindVertexArray(nodeArray_);
   fillBuffer(GL_ARRAY_BUFFER, vertices_, "node vertices", hierarchy_.vertices.data(),
              hierarchy_.vertices.size() * sizeof(Vertex));
-  fillBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_, "node indices", hierarchy_.indices.data(),
-             hierarchy_.indices.size() * sizeof(std::uint32_t));
+  uploadIndices();
   setAttribute(0, 3, GL_FLOAT, false, sizeof(Vertex), offsetof(Vertex, position));
   setAttribute(1, 3, GL_SHORT, true, sizeof(Vertex), offsetof(Vertex, normal));
   setAttribute(2, 4, GL_UNSIGNED_BYTE, true, sizeof(Vertex), offsetof(Vertex, color));
   glEnableVertexAttribArray(3);
   glVertexAttribIPointer(3, 1, GL_UNSIGNED_SHORT, sizeof(Vertex),
                          reinterpret_cast<const void*>(offsetof(Vertex, object)));
+}
+
+// In 16 bits where they fit, which nearly all nodes do; 32-bit ones stay aligned.
+void Renderer::uploadIndices() {
+  std::vector<std::byte> bytes;
+  bytes.reserve(hierarchy_.indices.size() * sizeof(std::uint16_t));
+  const auto append = [&](const auto* indices, std::size_t count) {
+    const auto* begin = reinterpret_cast<const std::byte*>(indices);
+    bytes.insert(bytes.end(), begin, begin + count * sizeof(*indices));
+  };
+  std::vector<std::uint16_t> narrow;
+  for (const Node& node : hierarchy_.nodes) {
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+    indexOffsets_.push_back(bytes.size());
+    const std::uint32_t* indices = hierarchy_.indices.data() + node.firstIndex;
+    if (hasNarrowIndices(node)) {
+      narrow.assign(indices, indices + node.indexCount);
+      append(narrow.data(), narrow.size());
+    } else {
+      append(indices, node.indexCount);
+    }
+  }
+  fillBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_, "node indices", bytes.data(), bytes.size());
 }
 
 void Renderer::uploadBoxes() {
@@ -201,9 +227,12 @@ void Renderer::setState(State state) {
 void Renderer::drawNode(NodeId id) {
   setState(State::kNodes);
   const Node& node = hierarchy_.node(id);
-  glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(node.indexCount), GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(node.firstIndex * sizeof(std::uint32_t)),
-                           static_cast<GLint>(node.firstVertex));
+  // with the range of indices, a software rasteriser shades each vertex once
+  glDrawRangeElementsBaseVertex(GL_TRIANGLES, 0, node.vertexCount > 0 ? node.vertexCount - 1 : 0,
+                                static_cast<GLsizei>(node.indexCount),
+                                hasNarrowIndices(node) ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+                                reinterpret_cast<const void*>(indexOffsets_[id]),
+                                static_cast<GLint>(node.firstVertex));
 }
 
 void Renderer::drawBox(NodeId id) {

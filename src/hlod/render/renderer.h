@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "hlod/render/framebuffer.h"
 #include "hlod/render/gl_program.h"
@@ -45,6 +46,7 @@ class Renderer {
     return nodePrograms_[static_cast<std::size_t>(shading_)];
   }
   void uploadGeometry();
+  void uploadIndices();
   void uploadBoxes();
 
   const Hierarchy& hierarchy_;
@@ -53,6 +55,7 @@ class Renderer {
   GlProgram boxProgram_;
   GlVertexArray nodeArray_, boxArray_;
   GlBuffer vertices_, indices_, boxCorners_, boxIndices_;
+  std::vector<std::size_t> indexOffsets_;  // by node: bytes into indices_
   State state_ = State::kNone;
   Lens lens_;  // of the frame
   Shading shading_ = Shading::kLit;
