@@ -15,8 +15,9 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
+
+from atomic_file import write_atomically
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 COLUMNS = ("s", "t", "dn", "dn_share", "rarn", "delayed_share", "fps", "speedup", "speedup_low",
@@ -111,14 +112,12 @@ def has_interval(row):
 
 
 def write_csv(path, rows):
-    """Writes the rows to a temporary name and renames it."""
-    with tempfile.NamedTemporaryFile("w", dir=path.parent, prefix=f".{path.name}.", delete=False,
-                                     newline="", encoding="utf-8") as file:
+    """Writes the rows; nobody ever sees half of them."""
+    with write_atomically(path) as temporary, open(temporary, "w", newline="",
+                                                   encoding="utf-8") as file:
         writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-    os.chmod(file.name, 0o644)
-    os.replace(file.name, path)
 
 
 def parse_arguments():

@@ -1,9 +1,9 @@
 """What all figures share: size, fonts, lines, and how they are written."""
 
 import os
-import tempfile
 
 import matplotlib
+from atomic_file import write_atomically
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
@@ -71,16 +71,7 @@ def save_figure(figure, folder, name, formats, dpi):
     for kind in formats:
         path = os.path.join(folder, f"{name}.{kind}")
         metadata = {"Date": None} if kind == "svg" else {"Software": None}
-        handle, temporary = tempfile.mkstemp(dir=folder, prefix=f".{name}.", suffix=".tmp")
-        os.close(handle)
-        try:
+        with write_atomically(path) as temporary:
             figure.savefig(temporary, format=kind, dpi=dpi, metadata=metadata)
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes private files
-            os.replace(temporary, path)
-        except BaseException:
-            os.unlink(temporary)
-            raise
         paths.append(path)
     return paths

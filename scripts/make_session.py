@@ -11,7 +11,8 @@ import json
 import math
 import os
 import sys
-import tempfile
+
+from atomic_file import write_text_atomically
 
 try:
     import numpy as np
@@ -222,21 +223,6 @@ def format_session(session):
     return "{\n" + "\n".join(lines) + '\n  "frames": [\n' + frames + "\n  ]\n}\n"
 
 
-def write_file(path, text):
-    """Writes to a file beside `path` first, so that nobody ever sees half a session."""
-    handle, temporary = tempfile.mkstemp(dir=os.path.dirname(path) or ".", suffix=".tmp")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as out:
-            out.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes private files
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
-
-
 def read_keyframes(path):
     try:
         with open(path, encoding="utf-8") as file:
@@ -284,7 +270,7 @@ def main(arguments=None):
         print(f"make_session.py: {options.keyframes}: {error}", file=sys.stderr)
         return 2
     try:
-        write_file(options.session, format_session(session))
+        write_text_atomically(options.session, format_session(session))
     except OSError as error:
         print(f"make_session.py: {options.session}: {error.strerror}", file=sys.stderr)
         return 2

@@ -7,12 +7,13 @@ frames per second (FPS, the median of 9 frames around it over all repetitions; n
 
 import argparse
 import math
-import os
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+
+from atomic_file import write_atomically
 
 try:
     from result_folder import ResultError, read_run
@@ -146,17 +147,8 @@ def write_video(run, strategies, options, program):
     composer = FrameComposer(run, strategies)
     frames = run.image_frames()
     say_gaps(frames)
-    handle, temporary = tempfile.mkstemp(dir=os.path.dirname(options.out) or ".", suffix=".tmp")
-    os.close(handle)
-    try:
+    with write_atomically(options.out) as temporary:
         encode(program, composer, frames, options.fps, temporary)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes private files
-        os.replace(temporary, options.out)
-    except BaseException:
-        os.unlink(temporary)
-        raise
     say(f"{options.out}: {len(frames)} frames of {composer.size[0]}x{composer.size[1]} pixels, "
         f"{len(frames) / options.fps:.1f} s")
 

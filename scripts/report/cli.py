@@ -4,8 +4,8 @@ import argparse
 import os
 import pathlib
 import sys
-import tempfile
 
+from atomic_file import write_text_atomically
 from result_folder import ResultError, read_run
 
 from . import environment, pictures, program_table, quality, series
@@ -134,21 +134,6 @@ def make_content(options, runs, problems):
     }
 
 
-def write_file(path, text):
-    """Writes to a file beside `path` first, so that nobody ever sees half a report."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as out:
-            out.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes private files
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
-
-
 def fail(message):
     print(f"report.py: {message}", file=sys.stderr)
     return 2
@@ -167,7 +152,7 @@ def main(arguments=None):
     content = make_content(options, runs, problems)
     text = render_page(library, content)
     try:
-        write_file(path, text)
+        write_text_atomically(path, text)
     except OSError as error:
         return fail(f"{path}: {error.strerror}")
     pictures_of = [scene["data"]["pictures"] for scene in content["scenes"]]
