@@ -102,12 +102,18 @@ void setAttribute(GLuint index, GLint components, GLenum type, bool normalized, 
 
 }  // namespace
 
+Renderer::Program::Program(GlProgram linked)
+    : program(std::move(linked)),
+      matrix(glGetUniformLocation(program, "viewProjection")),
+      tint(glGetUniformLocation(program, "tint")) {}
+
 Renderer::Renderer(const Hierarchy& hierarchy, int width, int height)
     : hierarchy_(hierarchy),
       framebuffer_(width, height),
-      nodePrograms_{makeGlProgram("nodes, lit", kNodeVertexShader, kLitFragmentShader),
-                    makeGlProgram("nodes, objects", kObjectVertexShader, kObjectFragmentShader),
-                    makeGlProgram("nodes, tinted", kNodeVertexShader, kTintedFragmentShader)},
+      nodePrograms_{
+          Program(makeGlProgram("nodes, lit", kNodeVertexShader, kLitFragmentShader)),
+          Program(makeGlProgram("nodes, objects", kObjectVertexShader, kObjectFragmentShader)),
+          Program(makeGlProgram("nodes, tinted", kNodeVertexShader, kTintedFragmentShader))},
       boxProgram_(makeGlProgram("boxes", kBoxVertexShader, kBoxFragmentShader)) {
   uploadGeometry();
   uploadBoxes();
@@ -170,10 +176,9 @@ void Renderer::beginFrame(const Camera& camera, Shading shading) {
   shading_ = shading;
   lens_ = camera.lens;
   const glm::mat4 matrix(camera.viewProjection);
-  for (const GLuint program : {static_cast<GLuint>(boxProgram_), nodeProgram()}) {
-    glUseProgram(program);
-    glUniformMatrix4fv(glGetUniformLocation(program, "viewProjection"), 1, GL_FALSE,
-                       glm::value_ptr(matrix));
+  for (const Program* used : std::array<const Program*, 2>{&boxProgram_, &nodeProgram()}) {
+    glUseProgram(used->program);
+    glUniformMatrix4fv(used->matrix, 1, GL_FALSE, glm::value_ptr(matrix));
   }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -192,8 +197,7 @@ void Renderer::beginFrame(const Camera& camera, Shading shading) {
 
 void Renderer::setTint(const glm::vec3& color) {
   setState(State::kNodes);
-  if (shading_ == Shading::kTinted)
-    glUniform3fv(glGetUniformLocation(nodeProgram(), "tint"), 1, glm::value_ptr(color));
+  if (shading_ == Shading::kTinted) glUniform3fv(nodeProgram().tint, 1, glm::value_ptr(color));
 }
 
 DepthImage Renderer::readDepth() const {
@@ -220,7 +224,7 @@ void Renderer::setState(State state) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
   }
-  glUseProgram(boxes ? static_cast<GLuint>(boxProgram_) : nodeProgram());
+  glUseProgram(boxes ? boxProgram_.program : nodeProgram().program);
   glBindVertexArray(boxes ? boxArray_ : nodeArray_);
 }
 

@@ -42,7 +42,13 @@ class Renderer {
  private:
   enum class State { kNone, kNodes, kBoxes };
   void setState(State state);
-  [[nodiscard]] GLuint nodeProgram() const {
+  // A program and the places of its uniforms; -1 where it has none.
+  struct Program {
+    explicit Program(GlProgram linked);
+    GlProgram program;
+    GLint matrix, tint;
+  };
+  [[nodiscard]] const Program& nodeProgram() const {
     return nodePrograms_[static_cast<std::size_t>(shading_)];
   }
   void uploadGeometry();
@@ -51,8 +57,8 @@ class Renderer {
 
   const Hierarchy& hierarchy_;
   Framebuffer framebuffer_;
-  std::array<GlProgram, 3> nodePrograms_;  // by Shading
-  GlProgram boxProgram_;
+  std::array<Program, 3> nodePrograms_;  // by Shading
+  Program boxProgram_;
   GlVertexArray nodeArray_, boxArray_;
   GlBuffer vertices_, indices_, boxCorners_, boxIndices_;
   std::vector<std::size_t> indexOffsets_;  // by node: bytes into indices_
