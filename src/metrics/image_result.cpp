@@ -1,9 +1,9 @@
 #include "metrics/image_result.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "hlod/core/error.h"
+#include "metrics/json_or_null.h"
+#include "metrics/summary.h"
 #include "metrics/text_file.h"
 
 namespace hlodbench {
@@ -11,26 +11,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <typename T>
-Json orNull(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 ComponentSummary summarise(const std::vector<std::optional<double>>& values) {
-  ComponentSummary summary;
-  double sum = 0.0;
-  for (const auto& value : values) {
-    if (value) sum += *value;
-    ++(value ? summary.count : summary.identical);
-  }
-  if (summary.count == 0) return summary;
-  const double mean = sum / static_cast<double>(summary.count);
-  summary.mean = mean;
-  if (summary.count == 1) return summary;
-  double squares = 0.0;
+  std::vector<double> finite;
   for (const auto& value : values)
-    if (value) squares += (*value - mean) * (*value - mean);
-  summary.stddev = std::sqrt(squares / static_cast<double>(summary.count - 1));
+    if (value) finite.push_back(*value);
+  ComponentSummary summary;
+  summary.count = finite.size();
+  summary.identical = values.size() - finite.size();
+  if (!finite.empty()) summary.mean = computeMean(finite);
+  if (finite.size() > 1) summary.stddev = computeStddev(finite, *summary.mean);
   return summary;
 }
 

@@ -1,6 +1,7 @@
 #include "metrics/result_json.h"
 
 #include "hlod/core/error.h"
+#include "metrics/json_or_null.h"
 #include "metrics/json_view.h"
 #include "metrics/text_file.h"
 
@@ -8,11 +9,6 @@ namespace hlodbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <typename T>
-Json orNull(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json toJson(const Environment& environment) {
   return {

@@ -17,18 +17,6 @@ std::vector<double> computeMeasuredValues(const std::vector<FrameRecord>& record
   return values;
 }
 
-double computeMean(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-// Around the mean in a second pass: the sum-of-squares formula cancels for steady counters.
-double computeStddev(std::span<const double> values, double mean) {
-  if (values.size() < 2) return 0.0;
-  double squares = 0.0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(values.size() - 1));
-}
-
 std::optional<CounterSummary> computeCounterSummary(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
@@ -72,6 +60,18 @@ std::optional<double> computeDelayedShare(const std::vector<FrameRecord>& record
 }
 
 }  // namespace
+
+double computeMean(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// Around the mean in a second pass: the sum-of-squares formula cancels for steady counters.
+double computeStddev(std::span<const double> values, double mean) {
+  if (values.size() < 2) return 0.0;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
 
 double computeQuantile(std::span<const double> sorted, double share) {
   if (sorted.empty()) throw std::invalid_argument("computeQuantile: the sample is empty");

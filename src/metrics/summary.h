@@ -45,6 +45,11 @@ struct Summary {
 // between neighbours at position share * (n - 1): the default of NumPy and R (type 7).
 double computeQuantile(std::span<const double> sorted, double share);
 
+// Of a non-empty sample.
+double computeMean(std::span<const double> values);
+// Of the sample around its mean (divided by count - 1); 0 for a single value.
+double computeStddev(std::span<const double> values, double mean);
+
 // Summarises the frames that are not warm-up. Both FPS figures are absent when no measured frame
 // has a frame time or one is not above 0; the delayed share is absent without D or with DN all 0.
 Summary computeSummary(const std::vector<FrameRecord>& records);
