@@ -15,6 +15,7 @@ np = pytest.importorskip("numpy")
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "scripts" / "make_session.py"
+sys.path.insert(0, str(SCRIPT.parent))  # as where the script itself runs
 SCHEMA = json.loads((ROOT / "sessions" / "session.schema.json").read_text(encoding="utf-8"))
 
 KEYS = {
