@@ -8,37 +8,65 @@
 
 namespace hlodbench {
 
-// Joins a renderer and a query source to what a strategy asks for, and times its waiting.
+// Wall time of a frame's calls by what they were for, milliseconds.
+struct ServiceTimes {
+  double draw = 0.0;   // drawing nodes
+  double query = 0.0;  // issuing queries and asking whether they are done
+  double wait = 0.0;   // getting results
+};
+
+// Joins a renderer and a query source to what a strategy asks for, and times it.
 class GlFrameServices final : public FrameServices {
  public:
   GlFrameServices(Renderer& renderer, QuerySource& queries)
       : renderer_(renderer), queries_(queries) {}
 
   void draw(NodeId node) override {
+    const Lap lap(draw_);
     renderer_.drawNode(node);
     queries_.noteDraw();
   }
-  void issueQuery(NodeId node) override { queries_.issue(node); }
-  bool isAvailable(NodeId node) override { return queries_.isAvailable(node); }
+  void issueQuery(NodeId node) override {
+    const Lap lap(query_);
+    queries_.issue(node);
+  }
+  bool isAvailable(NodeId node) override {
+    const Lap lap(query_);
+    return queries_.isAvailable(node);
+  }
   std::uint32_t getResult(NodeId node) override {
-    const auto start = Clock::now();
-    const std::uint32_t pixels = queries_.getResult(node);
-    waited_ += Clock::now() - start;
-    return pixels;
+    const Lap lap(wait_);
+    return queries_.getResult(node);
   }
 
-  // Milliseconds spent in getResult() since the last call.
-  double takeWaitMs() {
-    const double ms = std::chrono::duration<double, std::milli>(waited_).count();
-    waited_ = {};
-    return ms;
+  // Of the calls since it was last asked.
+  ServiceTimes takeTimes() {
+    const ServiceTimes times{toMs(draw_), toMs(query_), toMs(wait_)};
+    draw_ = query_ = wait_ = {};
+    return times;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+  // Adds its own lifetime to a sum.
+  class Lap {
+   public:
+    explicit Lap(Clock::duration& sum) : sum_(sum), start_(Clock::now()) {}
+    ~Lap() { sum_ += Clock::now() - start_; }
+    Lap(const Lap&) = delete;
+    Lap& operator=(const Lap&) = delete;
+
+   private:
+    Clock::duration& sum_;
+    Clock::time_point start_;
+  };
+  static double toMs(Clock::duration duration) {
+    return std::chrono::duration<double, std::milli>(duration).count();
+  }
+
   Renderer& renderer_;
   QuerySource& queries_;
-  Clock::duration waited_{};
+  Clock::duration draw_{}, query_{}, wait_{};
 };
 
 }  // namespace hlodbench

@@ -22,6 +22,13 @@ double readThreadCpuMs() {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
+void storeTimes(const ServiceTimes& times, double strategyMs, FrameRecord& record) {
+  record.set(Counter::kWaitMs, times.wait);
+  record.set(Counter::kDrawMs, times.draw);
+  record.set(Counter::kQueryMs, times.query);
+  record.set(Counter::kTraversalMs, strategyMs - times.draw - times.query - times.wait);
+}
+
 void storeGpuTime(GpuTimer& timer, std::vector<FrameRecord>& records, bool drain) {
   if (const auto reading = timer.read(drain))
     records[reading->frame].set(Counter::kGpuMs, reading->milliseconds);
@@ -51,10 +58,11 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     timer.beginFrame(i);
     queries.beginFrame();
     renderer.beginFrame(camera);
+    const auto strategyStart = Clock::now();
     strategy.renderFrame(camera, services, record, isTraced ? &trace : nullptr);
+    storeTimes(services.takeTimes(), computeMs(Clock::now() - strategyStart), record);
     timer.endFrame();
     record.set(Counter::kCpuMs, readThreadCpuMs() - cpuStart);
-    record.set(Counter::kWaitMs, services.takeWaitMs());
     pacer.endFrame();
     storeGpuTime(timer, records, false);
 

@@ -51,6 +51,9 @@ class RowBuilder {
     if (summary.fps) addCounter(summary, Counter::kFrameMs, frameMs_);
     if (summary.fpsFrameMean && summary.get(Counter::kFrameMs))
       fps_.add(*summary.fpsFrameMean, summary.get(Counter::kFrameMs)->count);
+    addCounter(summary, Counter::kNodesVisited, visited_);
+    addCounter(summary, Counter::kTraversalMs, traversalMs_);
+    addCounter(summary, Counter::kQueryMs, queryMs_);
     const auto& dn = summary.get(Counter::kDn);
     if (summary.delayedShare && dn) {
       drawn_ += dn->mean * static_cast<double>(dn->count);
@@ -64,6 +67,8 @@ class RowBuilder {
     row_.d = d_.mean();
     if (const auto ms = frameMs_.mean()) row_.fps = 1000.0 / *ms;
     row_.fpsFrameMean = fps_.mean();
+    row_.traversalUsPerVisit = perVisit(traversalMs_);
+    row_.queryUsPerVisit = perVisit(queryMs_);
     if (drawn_ > 0.0) row_.delayedShare = delayed_ / drawn_;
     return std::move(row_);
   }
@@ -73,8 +78,16 @@ class RowBuilder {
     if (const auto& values = summary.get(counter)) mean.add(values->mean, values->count);
   }
 
+  // Microseconds of a stage per visited node.
+  [[nodiscard]] std::optional<double> perVisit(const PooledMean& stageMs) const {
+    const auto visited = visited_.mean();
+    const auto ms = stageMs.mean();
+    if (!ms || !visited || !(*visited > 0.0)) return std::nullopt;
+    return 1000.0 * *ms / *visited;
+  }
+
   TableRow row_;
-  PooledMean dn_, rarn_, d_, frameMs_, fps_;
+  PooledMean dn_, rarn_, d_, frameMs_, fps_, visited_, traversalMs_, queryMs_;
   double drawn_ = 0.0;
   double delayed_ = 0.0;
 };

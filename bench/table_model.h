@@ -23,6 +23,8 @@ struct TableRow {
   std::optional<double> fps;           // frames over total time
   std::optional<double> fpsFrameMean;  // mean of per-frame FPS
   std::optional<double> delayedShare;  // D over DN
+  // per node taken from the priority queue, microseconds; see Counter::kTraversalMs, kQueryMs
+  std::optional<double> traversalUsPerVisit, queryUsPerVisit;
   std::optional<Speedup> speedup;      // of Coh(B) over this strategy
 };
 

@@ -94,6 +94,17 @@ std::string computeRatioLine(const TableBlock& block) {
   return line;
 }
 
+// Empty for results without stage times.
+std::string computeStageLine(const TableBlock& block) {
+  std::string line;
+  for (const TableRow& row : block.rows)
+    if (row.traversalUsPerVisit && row.queryUsPerVisit)
+      line += fmt::format("{}{} {:.2f} + {:.2f}", line.empty() ? "" : ", ", row.label,
+                          *row.traversalUsPerVisit, *row.queryUsPerVisit);
+  return line.empty() ? line
+                      : "microseconds a visited node, traversal + query handling: " + line;
+}
+
 std::string computeMachineLine(const TableBlock& block) {
   const Environment& environment = block.run.environment;
   return fmt::format("{}: {} ({}, {}), {}, {}, {}", block.folder.string(), environment.program,
@@ -129,6 +140,8 @@ std::vector<std::string> computeBlockNotes(const TableBlock& block) {
         fmt::format("\"{}\" is not a scene of the paper: the paper's values are for "
                     "orientation only",
                     block.run.scene.name));
+  if (std::string stages = computeStageLine(block); !stages.empty())
+    notes.push_back(std::move(stages));
   for (const CaseResult& result : block.run.cases)
     if (result.error)
       notes.push_back(fmt::format("{} repetition {} failed: {}",

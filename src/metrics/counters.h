@@ -21,6 +21,9 @@ enum class Counter : std::size_t {
   kFrameMs,
   kCpuMs,
   kWaitMs,
+  kDrawMs,
+  kQueryMs,
+  kTraversalMs,
   kGpuMs,
   kCount
 };
@@ -64,6 +67,12 @@ inline constexpr std::array<CounterInfo, kCounterCount> kCounterTable{{
      "processor time of the traversing thread"},
     {Counter::kWaitMs, "wait_ms", "wait", "ms", Better::kLower, Exactness::kNoisy,
      "time blocked on query results"},
+    {Counter::kDrawMs, "draw_ms", "draw", "ms", Better::kLower, Exactness::kNoisy,
+     "time in draw calls for nodes; a software rasteriser transforms and sets up triangles in them"},
+    {Counter::kQueryMs, "query_ms", "query", "ms", Better::kLower, Exactness::kNoisy,
+     "time in issuing queries and asking whether they are done, boxes included, waiting not"},
+    {Counter::kTraversalMs, "traversal_ms", "traversal", "ms", Better::kLower, Exactness::kNoisy,
+     "time of the strategy itself: of its frame less drawing, querying and waiting"},
     {Counter::kGpuMs, "gpu_ms", "GPU", "ms", Better::kLower, Exactness::kNoisy,
      "time between the frame's first and last GPU timestamp, where timer queries exist"},
 }};

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <queue>
 
 #include "traversals/hierarchy_traversal.h"
+#include "traversals/node_queue.h"
 #include "traversals/predictor.h"
 
 namespace hlodbench {
@@ -27,7 +27,7 @@ class CoherentTraversal final : public HierarchyTraversal {
   void visit(NodeId node);
 
   std::unique_ptr<Predictor> predictor_;
-  std::queue<NodeId> queryQueue_;
+  NodeQueue queryQueue_;
 };
 
 }  // namespace hlodbench
