@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "hlod/render/framebuffer.h"
 #include "hlod/render/gl_program.h"
@@ -18,19 +17,29 @@ enum class Shading {
   kTinted    // the colour of setTint(), lit: overlays
 };
 
-// Draws nodes and boxes of a hierarchy whose geometry is resident in one vertex and one index
-// buffer. Knows nothing of why a node is drawn.
+enum class FaceCulling {
+  kNone,                // both faces are drawn
+  kBackWhereConsistent  // only front faces, in nodes that have kConsistentWinding
+};
+
+struct RendererOptions {
+  FaceCulling culling = FaceCulling::kNone;
+};
+
+// Draws nodes and boxes of a hierarchy whose geometry is resident in one buffer. Knows nothing of
+// why a node is drawn.
 class Renderer {
  public:
-  // Uploads the geometry. The hierarchy must outlive the renderer; its vertices and indices are
-  // not read again. Throws std::runtime_error when the driver has no memory for it.
-  Renderer(const Hierarchy& hierarchy, int width, int height);
+  // Checks and uploads the geometry, which is not read again. The hierarchy must outlive the
+  // renderer. Throws std::runtime_error when the driver has no memory for it, and InputError when a
+  // checksum does not match.
+  Renderer(const Hierarchy& hierarchy, int width, int height, const RendererOptions& options = {});
 
   // Clears the framebuffer and sets the camera, whose viewport must be the framebuffer's size.
   void beginFrame(const Camera& camera, Shading shading = Shading::kLit);
   // The colour of the nodes drawn next, linear RGB, 0 to 1; seen in Shading::kTinted only.
   void setTint(const glm::vec3& color);
-  // Draws the node's LOD, both faces, lit.
+  // Draws the node's LOD.
   void drawNode(NodeId node);
   // Draws the front faces of the node's box, tested against the depth buffer and leaving no trace.
   void drawBox(NodeId node);
@@ -42,6 +51,7 @@ class Renderer {
  private:
   enum class State { kNone, kNodes, kBoxes };
   void setState(State state);
+  void setCulling(bool on);
   // A program and the places of its uniforms; -1 where it has none.
   struct Program {
     explicit Program(GlProgram linked);
@@ -52,17 +62,19 @@ class Renderer {
     return nodePrograms_[static_cast<std::size_t>(shading_)];
   }
   void uploadGeometry();
-  void uploadIndices();
+  void uploadColors();
   void uploadBoxes();
 
   const Hierarchy& hierarchy_;
+  RendererOptions options_;
   Framebuffer framebuffer_;
   std::array<Program, 3> nodePrograms_;  // by Shading
   Program boxProgram_;
   GlVertexArray nodeArray_, boxArray_;
-  GlBuffer vertices_, indices_, boxCorners_, boxIndices_;
-  std::vector<std::size_t> indexOffsets_;  // by node: bytes into indices_
+  GlBuffer geometry_, colors_, boxCorners_, boxIndices_;
+  GlTexture colorTexture_;  // colors_ by object
   State state_ = State::kNone;
+  bool isCulling_ = false;
   Lens lens_;  // of the frame
   Shading shading_ = Shading::kLit;
 };
