@@ -120,6 +120,39 @@ TEST_F(Faces, OfABlockThatIsNotAsItsChecksumSaysAreRefused) {
   }
 }
 
+TEST_F(Faces, OfManyNodesDrawnAtOnceAreThoseOfOneAfterTheOther) {
+  std::mt19937 random(3);
+  FlatHierarchy flat;
+  constexpr NodeId kNodes = 60;
+  std::vector<NodeId> order;
+  for (NodeId i = 0; i < kNodes; ++i) {
+    Aabb box = makeRandomBox(random);
+    // some in the same place: the last one drawn is on top
+    if (i % 3 == 2) box = flat.hierarchy.node(i - 1).box;
+    flat.addBox(box, {random() % 256, random() % 256, random() % 256, 255});
+    flat.hierarchy.nodes[i].flags = random() % 2;
+    order.push_back(i);
+  }
+  for (const FaceCulling culling : {FaceCulling::kNone, FaceCulling::kBackWhereConsistent}) {
+    Renderer renderer(flat.hierarchy, kSize, kSize, {.culling = culling});
+    for (int round = 0; round < 20; ++round) {
+      std::shuffle(order.begin(), order.end(), random);
+      const Camera camera = makeCamera(makeLens(kSize, kSize), makeRandomPose(random));
+      const Shading shading = round % 2 == 0 ? Shading::kLit : Shading::kObjects;
+      renderer.beginFrame(camera, shading);
+      for (const NodeId id : order) renderer.drawNode(id);
+      const Image expected = renderer.readColor();
+      renderer.beginFrame(camera, shading);
+      renderer.drawBox(order[0]);
+      const std::span<const NodeId> all(order);
+      renderer.drawNodes(all.first(17));
+      renderer.drawNodes({});
+      renderer.drawNodes(all.subspan(17));
+      EXPECT_EQ(renderer.readColor().pixels, expected.pixels);
+    }
+  }
+}
+
 // More vertices than 16-bit indices reach.
 TEST_F(Faces, OfLargeNodesAreDrawnWithWideIndices) {
   constexpr unsigned kCells = 270;

@@ -166,17 +166,43 @@ void Renderer::setCulling(bool on) {
     glDisable(GL_CULL_FACE);
 }
 
+Renderer::Kind Renderer::kindOf(const Node& node) const {
+  return {options_.culling == FaceCulling::kBackWhereConsistent &&
+              (node.flags & kConsistentWinding) != 0,
+          static_cast<GLenum>(node.hasNarrowIndices() ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT)};
+}
+
 void Renderer::drawNode(NodeId id) {
   const Node& node = hierarchy_.node(id);
+  const Kind kind = kindOf(node);
   setState(State::kNodes);
-  setCulling(options_.culling == FaceCulling::kBackWhereConsistent &&
-             (node.flags & kConsistentWinding) != 0);
+  setCulling(kind.isCulled);
   // with the range of indices, a software rasteriser shades each vertex once
   glDrawRangeElementsBaseVertex(GL_TRIANGLES, 0, node.vertexCount > 0 ? node.vertexCount - 1 : 0,
-                                static_cast<GLsizei>(node.indexCount),
-                                node.hasNarrowIndices() ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+                                static_cast<GLsizei>(node.indexCount), kind.indexType,
                                 reinterpret_cast<const void*>(node.indexOffset()),
                                 static_cast<GLint>(node.geometryOffset / sizeof(Vertex)));
+}
+
+void Renderer::drawNodes(std::span<const NodeId> nodes) {
+  while (!nodes.empty()) {
+    const Kind kind = kindOf(hierarchy_.node(nodes[0]));
+    counts_.clear();
+    indexPlaces_.clear();
+    firstVertices_.clear();
+    for (const NodeId id : nodes) {
+      const Node& node = hierarchy_.node(id);
+      if (kindOf(node) != kind) break;
+      counts_.push_back(static_cast<GLsizei>(node.indexCount));
+      indexPlaces_.push_back(reinterpret_cast<const void*>(node.indexOffset()));
+      firstVertices_.push_back(static_cast<GLint>(node.geometryOffset / sizeof(Vertex)));
+    }
+    setState(State::kNodes);
+    setCulling(kind.isCulled);
+    glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts_.data(), kind.indexType, indexPlaces_.data(),
+                                  static_cast<GLsizei>(counts_.size()), firstVertices_.data());
+    nodes = nodes.subspan(counts_.size());
+  }
 }
 
 void Renderer::drawBox(NodeId id) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "hlod/render/framebuffer.h"
 #include "hlod/render/gl_program.h"
@@ -41,6 +43,9 @@ class Renderer {
   void setTint(const glm::vec3& color);
   // Draws the node's LOD.
   void drawNode(NodeId node);
+  // Draws the LODs of nodes, in this order, with as few calls as their kinds allow: the picture
+  // that drawNode() for each of them makes.
+  void drawNodes(std::span<const NodeId> nodes);
   // Draws the front faces of the node's box, tested against the depth buffer and leaving no trace.
   void drawBox(NodeId node);
 
@@ -52,6 +57,13 @@ class Renderer {
   enum class State { kNone, kNodes, kBoxes };
   void setState(State state);
   void setCulling(bool on);
+  // What of a node decides how it is drawn; nodes that share it can be drawn by one call.
+  struct Kind {
+    bool isCulled;
+    GLenum indexType;
+    bool operator==(const Kind&) const = default;
+  };
+  [[nodiscard]] Kind kindOf(const Node& node) const;
   // A program and the places of its uniforms; -1 where it has none.
   struct Program {
     explicit Program(GlProgram linked);
@@ -75,6 +87,10 @@ class Renderer {
   GlTexture colorTexture_;  // colors_ by object
   State state_ = State::kNone;
   bool isCulling_ = false;
+  // of one call of drawNodes(), kept for their memory
+  std::vector<GLsizei> counts_;
+  std::vector<const void*> indexPlaces_;
+  std::vector<GLint> firstVertices_;
   Lens lens_;  // of the frame
   Shading shading_ = Shading::kLit;
 };
