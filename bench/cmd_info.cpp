@@ -22,6 +22,8 @@ struct InfoCommand {
 void showInfo(const InfoCommand& command) {
   HlodFileInfo info;
   const Hierarchy hierarchy = readHlodFile(command.file, &info);
+  if (command.check)
+    for (NodeId id = 0; id < hierarchy.nodes.size(); ++id) checkGeometryHash(hierarchy, id);
   if (command.json)
     fmt::print("{}", formatNodesJson(hierarchy));
   else
@@ -53,7 +55,8 @@ void addInfoCommand(CLI::App& app) {
   sub->add_flag("--json", command->json,
                 "every node: id, parent, children, box, error (world units), triangle count");
   sub->add_flag("--check", command->check,
-                "check the hierarchy's invariants; exit code 1 if broken");
+                "check every checksum, and the hierarchy's invariants; exit code 1 if these are "
+                "broken");
   sub->add_option("--depth-complexity", command->session,
                   "session (.json) over which to measure the layers per covered pixel, all leaves "
                   "drawn");

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "front.h"
 #include "hlod/core/error.h"
 #include "hlod/render/gl_context.h"
 #include "hlod/render/renderer.h"
-#include "hlod/view/frustum.h"
 #include "progress_line.h"
 
 namespace hlodbench {
@@ -19,14 +19,12 @@ struct Layers {
 };
 
 Layers countLayers(const Hierarchy& hierarchy, Renderer& renderer, const Camera& camera) {
-  const Frustum frustum(camera);
+  const std::vector<NodeId> leaves = listLeavesInside(hierarchy, Frustum(camera));
   const GlQuery query;
   renderer.beginFrame(camera);
   glDepthFunc(GL_ALWAYS);
   glBeginQuery(GL_SAMPLES_PASSED, query);
-  for (NodeId id = 0; id < hierarchy.nodes.size(); ++id)
-    if (hierarchy.node(id).isLeaf() && frustum.intersects(hierarchy.node(id).box))
-      renderer.drawNode(id);
+  renderer.drawNodes(leaves);
   glEndQuery(GL_SAMPLES_PASSED);
   GLuint drawn = 0;
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &drawn);

@@ -23,4 +23,12 @@ Front computeFront(int frame, const Trace& events) {
   return front;
 }
 
+std::vector<NodeId> listLeavesInside(const Hierarchy& hierarchy, const Frustum& frustum) {
+  std::vector<NodeId> leaves;
+  for (NodeId id = 0; id < hierarchy.nodes.size(); ++id)
+    if (hierarchy.node(id).isLeaf() && frustum.intersects(hierarchy.node(id).box))
+      leaves.push_back(id);
+  return leaves;
+}
+
 }  // namespace hlodbench

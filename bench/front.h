@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hlod/tree/hierarchy.h"
+#include "hlod/view/frustum.h"
 #include "traversals/trace_event.h"
 
 namespace hlodbench {
@@ -21,5 +22,8 @@ struct Front {
 };
 
 Front computeFront(int frame, const Trace& events);
+
+// The full-resolution model, as far as it may be seen: leaves whose box meets the frustum, by id.
+std::vector<NodeId> listLeavesInside(const Hierarchy& hierarchy, const Frustum& frustum);
 
 }  // namespace hlodbench

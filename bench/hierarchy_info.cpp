@@ -32,11 +32,13 @@ std::string formatSummary(const Hierarchy& hierarchy, const HlodFileInfo& info) 
   };
   std::vector<Level> levels;
   Range leafTriangles, innerTriangles;
+  std::size_t consistent = 0;
   for (const Node& node : hierarchy.nodes) {
     levels.resize(std::max<std::size_t>(levels.size(), node.level + 1));
     Level& level = levels[node.level];
     level.triangles.add(node.triangleCount());
     level.error.add(node.error);
+    consistent += (node.flags & kConsistentWinding) != 0 ? 1 : 0;
     level.leaves += node.isLeaf() ? 1 : 0;
     (node.isLeaf() ? leafTriangles : innerTriangles).add(node.triangleCount());
   }
@@ -45,11 +47,13 @@ std::string formatSummary(const Hierarchy& hierarchy, const HlodFileInfo& info) 
       "hierarchy   {:016x}, made with {}\n"
       "scene       {} triangles in {} objects, box {} to {} (world units)\n"
       "nodes       {}: {} leaves, {} inner nodes, {} levels\n"
+      "geometry    {:.1f} MiB; {} of the nodes are wound consistently\n"
       "triangles   leaf min {:.0f}, mean {:.1f}, max {:.0f}",
       info.contentHash, info.options, hierarchy.inputTriangles, hierarchy.objects.size(),
       format(box.min), format(box.max), hierarchy.nodes.size(), leafTriangles.count,
-      innerTriangles.count, levels.size(), leafTriangles.min, leafTriangles.mean(),
-      leafTriangles.max);
+      innerTriangles.count, levels.size(),
+      static_cast<double>(hierarchy.geometry.bytes().size()) / (1 << 20), consistent,
+      leafTriangles.min, leafTriangles.mean(), leafTriangles.max);
   if (innerTriangles.count > 0)
     text += fmt::format("; inner node min {:.0f}, mean {:.1f}, max {:.0f}", innerTriangles.min,
                         innerTriangles.mean(), innerTriangles.max);

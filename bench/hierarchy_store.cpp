@@ -6,6 +6,7 @@
 
 #include "hlod/core/error.h"
 #include "hlod/scene/scene_file.h"
+#include "hlod/tree/hlod_writer.h"
 #include "progress_line.h"
 
 namespace hlodbench {
@@ -19,7 +20,7 @@ std::string nameOf(const std::filesystem::path& path) {
 
 bool isUpToDate(const std::filesystem::path& file, std::uint64_t sceneHash,
                 const std::string& options) {
-  if (!std::filesystem::exists(file)) return false;
+  if (!std::filesystem::exists(file) || isOtherHlodVersion(file)) return false;
   const HlodFileInfo info = readHlodFileInfo(file);
   return info.sceneHash == sceneHash && info.options == options;
 }
@@ -59,7 +60,8 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
   stored.info.sceneHash = sceneHash;
   stored.info.options = optionText;
   writeHlodFile(file, stored.hierarchy, stored.info);
-  stored.info = readHlodFileInfo(file);
+  // from now on the file's geometry serves, and memory is free for other things
+  stored.hierarchy = readHlodFile(file, &stored.info);
   return stored;
 }
 

@@ -19,8 +19,9 @@ struct StoredHierarchy {
   std::optional<BuildReport> report;  // when it was built now
 };
 
-// Brings `file` up to date with the scene: builds it when it is not there or was made from other
-// input or options, and leaves it alone otherwise. A damaged file is refused with the reason.
+// Brings `file` up to date with the scene: builds it when it is not there, is of another version of
+// the format or was made from other input or options, and leaves it alone otherwise. A damaged file
+// is refused with the reason.
 StoredHierarchy buildOrReuse(const std::filesystem::path& scene, const std::filesystem::path& file,
                              const BuildOptions& options);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hlod/view/frustum.h"
 #include "overlay.h"
 #include "picture.h"
 #include "progress_line.h"
@@ -38,7 +37,8 @@ class PicturePass {
 
   void drawFrame(int frame, const std::vector<StrategyFronts>& strategies) {
     const Camera camera = makeCamera(session_.lens, session_.poses[frame]);
-    const View full = drawView(camera, [&] { drawLeaves(camera); });
+    const std::vector<NodeId> leaves = listLeavesInside(hierarchy_, Frustum(camera));
+    const View full = drawView(camera, [&] { renderer_.drawNodes(leaves); });
     const DepthImage depth = renderer_.readDepth();
     const FullPicture& entry = result_.full.emplace_back(
         FullPicture{frame, write("full", frame, "", full.color), countCoveredPixels(full.objects)});
@@ -91,15 +91,10 @@ class PicturePass {
     return view;
   }
 
-  void drawLeaves(const Camera& camera) {
-    const Frustum frustum(camera);
-    for (NodeId id = 0; id < hierarchy_.nodes.size(); ++id)
-      if (hierarchy_.node(id).isLeaf() && frustum.intersects(hierarchy_.node(id).box))
-        renderer_.drawNode(id);
-  }
-
   void drawFront(const Front& front) {
-    for (const DrawnNode& drawn : front.nodes) renderer_.drawNode(drawn.node);
+    std::vector<NodeId> nodes;
+    for (const DrawnNode& drawn : front.nodes) nodes.push_back(drawn.node);
+    renderer_.drawNodes(nodes);
   }
 
   Image drawOverlay(const Camera& camera, const std::string& name, const Front& front) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 
 #include "case_plan.h"
 #include "hierarchy_store.h"
@@ -142,8 +143,14 @@ class Runner {
   void load() {
     stored_ = openHierarchy(options_.scene, options_.cache, options_.build);
     announce(*context_);
+    const auto start = std::chrono::steady_clock::now();
     renderer_ =
         std::make_unique<Renderer>(stored_.hierarchy, session_.lens.width, session_.lens.height);
+    glFinish();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    fmt::print(stderr, "  geometry: {:.0f} MiB, checked and uploaded in {:.2f} s\n",
+               static_cast<double>(stored_.hierarchy.geometry.bytes().size()) / (1 << 20),
+               seconds.count());
     glQueries_ = std::make_unique<GlQuerySource>(*renderer_, stored_.hierarchy.nodes.size());
     queries_ = wrapQuerySource(*glQueries_, latency_, stored_.hierarchy.nodes.size());
   }

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "hlod/build/hierarchy_builder.h"
+#include "hlod/tree/geometry_packer.h"
 #include "hlod/tree/hierarchy.h"
+#include "hlod/tree/octahedral.h"
 #include "hlod/view/camera.h"
 #include "hlod/view/frustum.h"
 #include "hlod/view/projected_area.h"
@@ -64,29 +66,35 @@ inline Rectangle computeScreenBounds(const Camera& camera, const Aabb& box) {
   return bounds;
 }
 
-// A hierarchy for the renderer alone: nodes that stand side by side, without a tree above them.
+// A hierarchy for the renderer alone: nodes that stand side by side, without a tree above them,
+// each an object of its own unless told otherwise.
 class FlatHierarchy {
  public:
   // Adds a node of these triangles, which are counter-clockwise from outside. Returns its id.
   NodeId add(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
-             const glm::u8vec4& color = {255, 255, 255, 255}) {
+             const glm::u8vec4& color = {255, 255, 255, 255}, int object = -1) {
+    const std::size_t index = object < 0 ? hierarchy.objects.size() : object;
+    hierarchy.objects.resize(std::max(hierarchy.objects.size(), index + 1));
+    hierarchy.objects[index] = {"node", glm::vec3(color) / 255.0f};
     Node node;
-    node.firstVertex = hierarchy.vertices.size();
-    node.vertexCount = static_cast<std::uint32_t>(positions.size());
-    node.firstIndex = hierarchy.indices.size();
-    node.indexCount = static_cast<std::uint32_t>(3 * triangles.size());
+    std::vector<Vertex> vertices;
     for (const glm::vec3& p : positions) {
       node.box.extend(p);
-      hierarchy.vertices.push_back({p, {0, 32767, 0}, 0, {color.r, color.g, color.b, color.a}});
+      vertices.push_back({p, {normal[0], normal[1]}, static_cast<std::uint16_t>(index)});
     }
+    std::vector<std::uint32_t> indices;
     for (const glm::uvec3& t : triangles)
-      for (int i = 0; i < 3; ++i) hierarchy.indices.push_back(t[i]);
+      for (int i = 0; i < 3; ++i) indices.push_back(t[i]);
+    node.geometryOffset = geometry_.size();
+    const auto block = packer_.pack(vertices, indices, node);
+    geometry_.insert(geometry_.end(), block.begin(), block.end());
+    hierarchy.geometry = GeometrySection(geometry_);
     hierarchy.nodes.push_back(node);
     return static_cast<NodeId>(hierarchy.nodes.size() - 1);
   }
 
   // Adds a node that is its own box.
-  NodeId addBox(const Aabb& box, const glm::u8vec4& color = {255, 255, 255, 255}) {
+  NodeId addBox(const Aabb& box, const glm::u8vec4& color = {255, 255, 255, 255}, int object = -1) {
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 8; ++i)
       corners.emplace_back((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
@@ -104,10 +112,15 @@ class FlatHierarchy {
                 {0, 3, 1},
                 {4, 5, 7},
                 {4, 7, 6}},
-               color);
+               color, object);
   }
 
   Hierarchy hierarchy;
+  OctahedralNormal normal{0, 127};  // of the vertices added next
+
+ private:
+  GeometryPacker packer_;
+  std::vector<std::byte> geometry_;
 };
 
 inline Hierarchy buildTestHierarchy(const TriangleMesh& mesh, std::uint32_t maxTriangles) {

@@ -72,10 +72,8 @@ TEST_F(Pictures, TracesOnlyTheFramesAskedFor) {
 
 TEST_F(Pictures, OfObjectsHoldTheirIndices) {
   FlatHierarchy flat;
-  flat.addBox({{-3.0f, -1.0f, -1.0f}, {-1.0f, 1.0f, 1.0f}});
-  flat.addBox({{1.0f, -1.0f, -1.0f}, {3.0f, 1.0f, 1.0f}});
-  for (std::size_t i = 0; i < flat.hierarchy.vertices.size(); ++i)
-    flat.hierarchy.vertices[i].object = i < 8 ? 7 : 0x1203;
+  flat.addBox({{-3.0f, -1.0f, -1.0f}, {-1.0f, 1.0f, 1.0f}}, {255, 255, 255, 255}, 7);
+  flat.addBox({{1.0f, -1.0f, -1.0f}, {3.0f, 1.0f, 1.0f}}, {255, 255, 255, 255}, 0x1203);
   Renderer renderer(flat.hierarchy, 160, 120);
   const Camera camera = makeCamera(makeLens(160, 120), lookAt({0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}));
   renderer.beginFrame(camera, Shading::kObjects);

@@ -88,7 +88,7 @@ inline Triangle canonical(Triangle t) {
 }
 
 inline glm::vec3 corner(const Hierarchy& h, const Node& node, std::uint64_t index) {
-  return h.vertices[node.firstVertex + h.indices[node.firstIndex + index]].position;
+  return h.vertices(node)[h.indices(node)[index]].position;
 }
 
 inline std::vector<Triangle> trianglesOf(const Hierarchy& h, const Node& node) {

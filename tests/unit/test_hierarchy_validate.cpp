@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "hlod/build/hierarchy_builder.h"
+#include "hlod/tree/geometry_packer.h"
 #include "mesh_helpers.h"
 
 namespace hlodbench {
@@ -27,6 +28,23 @@ void PrintTo(const Damage& damage, std::ostream* out) {
 
 Node& someLeaf(Hierarchy& h) {
   return h.nodes.back();
+}
+
+// Changes the root's vertices and indices, and its checksum with them.
+template <typename Change>
+void changeBlock(Hierarchy& h, Change change) {
+  Node& node = h.nodes[kRoot];
+  std::vector<Vertex> vertices(h.vertices(node).begin(), h.vertices(node).end());
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < h.indices(node).size(); ++i) indices.push_back(h.indices(node)[i]);
+  change(vertices, indices);
+  const std::uint64_t size = node.blockBytes();
+  GeometryPacker packer;
+  const auto block = packer.pack(vertices, indices, node);
+  ASSERT_EQ(block.size(), size);
+  std::vector<std::byte> all(h.geometry.bytes().begin(), h.geometry.bytes().end());
+  std::copy(block.begin(), block.end(), all.begin() + node.geometryOffset);
+  h.geometry = GeometrySection(std::move(all));
 }
 
 class Damaged : public ::testing::TestWithParam<Damage> {};
@@ -64,12 +82,24 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"empty box", [](Hierarchy& h) { someLeaf(h).box = Aabb(); }},
         Damage{"box too small", [](Hierarchy& h) { someLeaf(h).box.max = someLeaf(h).box.min; }},
         Damage{"vertex that is no number",
-               [](Hierarchy& h) { h.vertices[someLeaf(h).firstVertex].position.y = NAN; }},
-        Damage{"index out of range",
-               [](Hierarchy& h) { h.indices[someLeaf(h).firstIndex] = someLeaf(h).vertexCount; }},
-        Damage{"indices out of range", [](Hierarchy& h) { h.indices.pop_back(); }},
-        Damage{"vertices out of range", [](Hierarchy& h) { h.vertices.pop_back(); }},
-        Damage{"huge first index", [](Hierarchy& h) { someLeaf(h).firstIndex = ~0ull; }},
+               [](Hierarchy& h) {
+                 changeBlock(h, [](auto& vertices, auto&) { vertices[0].position.y = NAN; });
+               }},
+        Damage{"vertex of no object",
+               [](Hierarchy& h) {
+                 changeBlock(h, [](auto& vertices, auto&) { vertices[1].object = 1; });
+               }},
+        Damage{"vertex of a neighbour",
+               [](Hierarchy& h) {
+                 changeBlock(h, [](auto& vertices, auto&) { vertices[2].position.x += 9.0f; });
+               }},
+        Damage{"index out of range", [](Hierarchy& h) { --someLeaf(h).vertexCount; }},
+        Damage{"another checksum", [](Hierarchy& h) { ++someLeaf(h).geometryHash; }},
+        Damage{"another block", [](Hierarchy& h) { someLeaf(h).geometryOffset -= 16; }},
+        Damage{"block out of range", [](Hierarchy& h) { someLeaf(h).geometryOffset += 16; }},
+        Damage{"block not aligned", [](Hierarchy& h) { someLeaf(h).geometryOffset -= 8; }},
+        Damage{"huge block", [](Hierarchy& h) { someLeaf(h).indexCount = 0xfffffffcu; }},
+        Damage{"huge offset", [](Hierarchy& h) { someLeaf(h).geometryOffset = ~0ull << 4; }},
         Damage{"half a triangle", [](Hierarchy& h) { --someLeaf(h).indexCount; }},
         Damage{"nothing to draw", [](Hierarchy& h) { h.nodes[0].indexCount = 0; }},
         Damage{"triangles lost", [](Hierarchy& h) { ++h.inputTriangles; }}));

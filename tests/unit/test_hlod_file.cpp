@@ -1,14 +1,19 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <numeric>
+#include <random>
 
 #include "hlod/build/hierarchy_builder.h"
 #include "hlod/core/error.h"
-#include "hlod/tree/hlod_file.h"
+#include "hlod/tree/hlod_writer.h"
+#include "hlod/tree/memory_sink.h"
 #include "mesh_helpers.h"
 
 namespace hlodbench {
@@ -68,6 +73,10 @@ std::string messageOf(const fs::path& path, Fn&& fn) {
   return "no error";
 }
 
+void checkAll(const Hierarchy& hierarchy) {
+  for (NodeId id = 0; id < hierarchy.nodes.size(); ++id) checkGeometryHash(hierarchy, id);
+}
+
 #define EXPECT_REASON(fn, reason)                                           \
   EXPECT_NE(messageOf(path(), [&] { fn; }).find(reason), std::string::npos) \
       << messageOf(path(), [&] { fn; })
@@ -79,11 +88,9 @@ TEST_F(HlodFile, GivesBackWhatWasWritten) {
   const Hierarchy back = readHlodFile(path(), &info);
   EXPECT_EQ(validate(back), "");
   EXPECT_EQ(back.inputTriangles, tree_.inputTriangles);
-  EXPECT_EQ(back.indices, tree_.indices);
-  ASSERT_EQ(back.vertices.size(), tree_.vertices.size());
-  EXPECT_EQ(std::memcmp(back.vertices.data(), tree_.vertices.data(),
-                        back.vertices.size() * sizeof(Vertex)),
-            0);
+  const auto read = back.geometry.bytes();
+  const auto written = tree_.geometry.bytes();
+  EXPECT_TRUE(std::equal(read.begin(), read.end(), written.begin(), written.end()));
   ASSERT_EQ(back.nodes.size(), tree_.nodes.size());
   for (std::size_t i = 0; i < back.nodes.size(); ++i) {
     const Node& a = back.nodes[i];
@@ -95,20 +102,21 @@ TEST_F(HlodFile, GivesBackWhatWasWritten) {
     EXPECT_EQ(a.firstChild, b.firstChild);
     EXPECT_EQ(a.childCount, b.childCount);
     EXPECT_EQ(a.level, b.level);
-    EXPECT_EQ(a.firstVertex, b.firstVertex);
+    EXPECT_EQ(a.geometryOffset, b.geometryOffset);
+    EXPECT_EQ(a.geometryHash, b.geometryHash);
+    EXPECT_EQ(a.flags, b.flags);
     EXPECT_EQ(a.vertexCount, b.vertexCount);
-    EXPECT_EQ(a.firstIndex, b.firstIndex);
     EXPECT_EQ(a.indexCount, b.indexCount);
   }
   ASSERT_EQ(back.objects.size(), 2u);
   EXPECT_EQ(back.objects[1].name, "a name of its own");
   EXPECT_EQ(back.objects[1].color, tree_.objects[1].color);
-  for (const HlodFileInfo& read : {info, readHlodFileInfo(path())}) {
-    EXPECT_EQ(read.sceneHash, info_.sceneHash);
-    EXPECT_EQ(read.options, info_.options);
-    EXPECT_EQ(read.version, kHlodFileVersion);
-    EXPECT_EQ(read.contentHash, info_.contentHash);
-    EXPECT_NE(read.contentHash, 0u);
+  for (const HlodFileInfo& found : {info, readHlodFileInfo(path())}) {
+    EXPECT_EQ(found.sceneHash, info_.sceneHash);
+    EXPECT_EQ(found.options, info_.options);
+    EXPECT_EQ(found.version, kHlodFileVersion);
+    EXPECT_EQ(found.contentHash, info_.contentHash);
+    EXPECT_NE(found.contentHash, 0u);
   }
 }
 
@@ -126,13 +134,24 @@ TEST_F(HlodFile, EqualHierarchiesMakeEqualBytesAndOthersAnotherHash) {
 TEST_F(HlodFile, EveryFlippedByteIsFound) {
   writeHlodFile(path(), tree_, info_);
   const std::string good = bytes();
-  const std::size_t header = 88 + info_.options.size();
-  for (std::size_t at = 0; at < good.size(); at += at < header + 200 ? 1 : 1009) {
+  const std::size_t header = 128;
+  const std::size_t tables = header + tree_.geometry.bytes().size();
+  for (std::size_t at = 0; at < good.size();
+       at += at < header + 32 || at > good.size() - 200 ? 1 : 1009) {
     std::string bad = good;
     bad[at] = static_cast<char>(bad[at] ^ 0x10);
     setBytes(bad);
-    EXPECT_NE(messageOf(path(), [&] { readHlodFile(path()); }), "no error") << "byte " << at;
-    if (at < header) {
+    const std::string opening = messageOf(path(), [&] { readHlodFile(path()); });
+    if (at >= header && at < tables) {
+      // opening does not look at the geometry
+      EXPECT_EQ(opening, "no error") << "byte " << at;
+      EXPECT_NE(messageOf(path(), [&] { checkAll(readHlodFile(path())); }).find("node "),
+                std::string::npos)
+          << "byte " << at;
+    } else {
+      EXPECT_NE(opening, "no error") << "byte " << at;
+    }
+    if (at < header || at >= good.size() - info_.options.size()) {
       EXPECT_NE(messageOf(path(), [&] { readHlodFileInfo(path()); }), "no error") << "byte " << at;
     }
   }
@@ -150,16 +169,16 @@ TEST_F(HlodFile, SaysWhatIsWrong) {
   std::string other = good;
   other[8] = 77;
   setBytes(other);
-  EXPECT_REASON(readHlodFile(path()), "expected format version 1, found 77");
+  EXPECT_REASON(readHlodFile(path()), "expected format version 2, found 77");
   setBytes(good + "x");
   EXPECT_REASON(readHlodFileInfo(path()), "bytes, found");
-  for (const std::size_t size : {1ul, 87ul, 88ul, 120ul, good.size() / 2, good.size() - 1}) {
+  for (const std::size_t size : {1ul, 87ul, 88ul, 127ul, 128ul, good.size() / 2, good.size() - 1}) {
     setBytes(good.substr(0, size));
     EXPECT_NE(messageOf(path(), [&] { readHlodFile(path()); }), "no error") << size;
     EXPECT_NE(messageOf(path(), [&] { readHlodFileInfo(path()); }), "no error") << size;
   }
   // Counts that would overflow, or ask for more memory than there is.
-  for (const std::size_t field : {48u, 56u, 64u, 72u, 80u}) {
+  for (std::size_t field = 32; field < 128; field += 8) {
     std::string huge = good;
     huge.replace(field, 8, 8, '\xff');
     setBytes(huge);
@@ -168,6 +187,108 @@ TEST_F(HlodFile, SaysWhatIsWrong) {
   fs::remove(path());
   fs::create_directory(path());
   EXPECT_REASON(readHlodFile(path()), "not a file");
+}
+
+TEST_F(HlodFile, StaysReadableWhenItIsReplaced) {
+  writeHlodFile(path(), tree_, info_);
+  const Hierarchy old = readHlodFile(path());
+  tree_.nodes[0].error *= 2.0f;
+  writeHlodFile(path(), tree_, info_);
+  EXPECT_EQ(validate(old), "");
+  EXPECT_NE(old.nodes[0].error, readHlodFile(path()).nodes[0].error);
+}
+
+TEST_F(HlodFile, OtherVersionsAreTold) {
+  EXPECT_FALSE(isOtherHlodVersion(path()));
+  writeHlodFile(path(), tree_, info_);
+  EXPECT_FALSE(isOtherHlodVersion(path()));
+  std::string other = bytes();
+  other[8] = 1;
+  setBytes(other);
+  EXPECT_TRUE(isOtherHlodVersion(path()));
+  setBytes("some notes of mine, no hierarchy");
+  EXPECT_FALSE(isOtherHlodVersion(path()));
+}
+
+// What leaves the nodes' geometry through a sink, in some order, under some numbers.
+void sendTo(NodeSink& sink, const Hierarchy& from, std::span<const NodeId> ids,
+            std::span<const NodeId> order) {
+  for (const NodeId id : order) {
+    const NodeIndices packed = from.indices(from.node(id));
+    std::vector<std::uint32_t> indices;
+    for (std::size_t i = 0; i < packed.size(); ++i) indices.push_back(packed[i]);
+    sink.addGeometry(ids.empty() ? id : ids[id], from.vertices(from.node(id)), indices);
+  }
+}
+
+TEST_F(HlodFile, IsTheSameWhateverOrderAndNumbersTheGeometryComesIn) {
+  const auto count = static_cast<NodeId>(tree_.nodes.size());
+  std::vector<NodeId> order(count), ids(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::iota(ids.begin(), ids.end(), 0u);
+  HlodWriter plain(path());
+  sendTo(plain, tree_, {}, order);
+  Hierarchy tables = tree_;
+  for (Node& node : tables.nodes) node.vertexCount = node.indexCount = 0;  // the writer sets them
+  plain.finish(tables, info_);
+  EXPECT_EQ(filesInFolder(), 1u);
+  const std::string expected = bytes();
+  EXPECT_EQ(validate(readHlodFile(path())), "");
+  std::mt19937 random(1);
+  std::shuffle(order.begin(), order.end(), random);
+  std::shuffle(ids.begin(), ids.end(), random);
+  fs::remove(path());
+  HlodWriter mixed(path());
+  sendTo(mixed, tree_, ids, order);
+  mixed.finish(tables, info_, ids);
+  EXPECT_TRUE(bytes() == expected);
+  MemorySink memory;
+  sendTo(memory, tree_, ids, order);
+  memory.finish(tables, ids);
+  writeHlodFile(path(), tables, info_);
+  EXPECT_TRUE(bytes() == expected);
+  EXPECT_EQ(validate(tables), "");
+}
+
+TEST_F(HlodFile, AWriterThatIsNotFinishedLeavesNothing) {
+  {
+    HlodWriter writer(path());
+    sendTo(writer, tree_, {}, std::vector<NodeId>{0, 1, 2});
+  }
+  EXPECT_EQ(filesInFolder(), 0u);
+  const fs::path missing = folder_ / "none" / "tree.hlod";
+  EXPECT_THROW(HlodWriter{missing}, InputError);
+}
+
+using HlodFileDeathTest = HlodFile;
+
+TEST_F(HlodFileDeathTest, CutOffWhileItIsInUseEndsWithOneLine) {
+  writeHlodFile(path(), tree_, info_);
+  EXPECT_EXIT(
+      {
+        const Hierarchy mapped = readHlodFile(path());
+        fs::resize_file(path(), 4096);
+        checkAll(mapped);
+      },
+      ::testing::ExitedWithCode(2), "^hlodbench: .*tree.hlod: cut off while it was in use\n$");
+}
+
+TEST_F(HlodFileDeathTest, OtherBusErrorsGoOnAsByDefault) {
+  writeHlodFile(path(), tree_, info_);
+  const Hierarchy mapped = readHlodFile(path());
+  EXPECT_EXIT(std::raise(SIGBUS), ::testing::KilledBySignal(SIGBUS), "^$");
+  // a mapping that is none of ours
+  const fs::path other = folder_ / "other";
+  std::ofstream(other) << std::string(100'000, 'x');
+  EXPECT_EXIT(
+      {
+        const int fd = ::open(other.c_str(), O_RDONLY);
+        const char* bytes =
+            static_cast<const char*>(::mmap(nullptr, 100'000, PROT_READ, MAP_PRIVATE, fd, 0));
+        fs::resize_file(other, 0);
+        std::exit(bytes[50'000]);
+      },
+      ::testing::KilledBySignal(SIGBUS), "^$");
 }
 
 TEST_F(HlodFile, AFailedWriteLeavesTheOldFileAndNothingElse) {

@@ -6,6 +6,7 @@
 #include "hlod/build/octree.h"
 #include "hlod/build/welded_mesh.h"
 #include "hlod/tree/hierarchy.h"
+#include "hlod/tree/node_sink.h"
 
 namespace hlodbench {
 
@@ -19,8 +20,18 @@ struct NodeLod {
 std::span<const glm::uvec3> lodTriangles(const WeldedMesh& mesh, const OctreeNode& node,
                                          const NodeLod& lod);
 
-// Lays the nodes out as the renderer takes them: a block of vertices and one of indices a node,
-// vertices in the order of first use.
+// A vertex as hierarchies hold it. mesh.objects must be below kMaxObjects.
+Vertex packVertex(const WeldedMesh& mesh, std::uint32_t v);
+
+// Throws InputError when there are more objects than vertices can tell apart.
+void checkObjectCount(std::size_t objects);
+
+// Gives the LOD of every node to the sink, numbered as in the tree, vertices in the order of first
+// use; from `threads` threads.
+void sendGeometry(const WeldedMesh& mesh, const Octree& tree, const std::vector<NodeLod>& lods,
+                  unsigned threads, NodeSink& sink);
+
+// A hierarchy in memory. Throws InputError as checkObjectCount() does.
 Hierarchy assembleHierarchy(const WeldedMesh& mesh, const Octree& tree,
                             const std::vector<NodeLod>& lods,
                             const std::vector<SceneObject>& objects, unsigned threads);

@@ -27,6 +27,12 @@ void AtomicFile::write(const void* data, std::size_t bytes) {
   if (bytes > 0 && std::fwrite(data, 1, bytes, file_) != bytes) fail(errno);
 }
 
+void AtomicFile::rewriteStart(const void* data, std::size_t bytes) {
+  if (std::fseek(file_, 0, SEEK_SET) != 0) fail(errno);
+  write(data, bytes);
+  if (std::fseek(file_, 0, SEEK_END) != 0) fail(errno);
+}
+
 void AtomicFile::commit() {
   // the flush may be what fails
   if (std::fflush(file_) != 0) fail(errno);

@@ -20,6 +20,9 @@ class AtomicFile {
 
   void write(const void* data, std::size_t bytes);
   void write(std::string_view text) { write(text.data(), text.size()); }
+  // Replaces the first bytes, of which at least as many must have been written; what is written
+  // next goes to the end again.
+  void rewriteStart(const void* data, std::size_t bytes);
   void commit();
 
  private:

@@ -57,6 +57,14 @@ struct FramebufferTraits {
   }
   static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
 };
+struct TextureTraits {
+  static GLuint create() {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    return id;
+  }
+  static void destroy(GLuint id) { glDeleteTextures(1, &id); }
+};
 struct ProgramTraits {
   static GLuint create() { return glCreateProgram(); }
   static void destroy(GLuint id) { glDeleteProgram(id); }
@@ -74,6 +82,7 @@ using GlBuffer = GlObject<BufferTraits>;
 using GlVertexArray = GlObject<VertexArrayTraits>;
 using GlRenderbuffer = GlObject<RenderbufferTraits>;
 using GlFramebuffer = GlObject<FramebufferTraits>;
+using GlTexture = GlObject<TextureTraits>;
 using GlProgram = GlObject<ProgramTraits>;
 using GlQuery = GlObject<QueryTraits>;
 

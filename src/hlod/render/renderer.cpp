@@ -7,80 +7,14 @@
 
 #include "hlod/render/gl_debug.h"
 #include "hlod/render/gl_program.h"
+#include "hlod/render/shaders.h"
 
 namespace hlodbench {
 namespace {
 
-constexpr const char* kNodeVertexShader = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 color;
-uniform mat4 viewProjection;
-out vec3 worldNormal;
-out vec3 albedo;
-void main() {
-  worldNormal = normal;
-  albedo = color.rgb;
-  gl_Position = viewProjection * vec4(position, 1.0);
-})";
-
-// a sun, and light from the sky and from the ground; both faces are lit as seen
-constexpr const char* kLitFragmentShader = R"(#version 330 core
-in vec3 worldNormal;
-in vec3 albedo;
-out vec4 fragment;
-const vec3 kSun = vec3(0.408, 0.816, 0.408);
-void main() {
-  vec3 n = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
-  vec3 sky = mix(vec3(0.20, 0.17, 0.15), vec3(0.42, 0.50, 0.62), 0.5 + 0.5 * n.y);
-  vec3 light = sky + vec3(0.72, 0.66, 0.55) * max(0.0, dot(n, kSun));
-  fragment = vec4(sqrt(albedo * light), 1.0);
-})";
-
-// the same light, without its colour
-constexpr const char* kTintedFragmentShader = R"(#version 330 core
-in vec3 worldNormal;
-uniform vec3 tint;
-out vec4 fragment;
-const vec3 kSun = vec3(0.408, 0.816, 0.408);
-void main() {
-  vec3 n = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
-  float light = mix(0.25, 0.5, 0.5 + 0.5 * n.y) + 0.5 * max(0.0, dot(n, kSun));
-  fragment = vec4(sqrt(tint * light), 1.0);
-})";
-
-constexpr const char* kObjectVertexShader = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 3) in uint object;
-uniform mat4 viewProjection;
-flat out uint index;
-void main() {
-  index = object;
-  gl_Position = viewProjection * vec4(position, 1.0);
-})";
-
-constexpr const char* kObjectFragmentShader = R"(#version 330 core
-flat in uint index;
-out vec4 fragment;
-void main() {
-  fragment = vec4(float(index & 255u) / 255.0, float(index >> 8u) / 255.0, 0.0, 1.0);
-})";
-
-constexpr const char* kBoxVertexShader = R"(#version 330 core
-layout(location = 0) in vec3 position;
-uniform mat4 viewProjection;
-void main() { gl_Position = viewProjection * vec4(position, 1.0); })";
-
-constexpr const char* kBoxFragmentShader = R"(#version 330 core
-void main() {})";
-
 // Corner i of a box: bit 0 = max x, bit 1 = max y, bit 2 = max z. Counter-clockwise from outside.
 constexpr GLushort kBoxTriangles[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
                                         2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
-
-bool hasNarrowIndices(const Node& node) {
-  return node.vertexCount <= 65536;
-}
 
 void fillBuffer(GLenum target, GLuint buffer, const std::string& label, const void* data,
                 std::size_t size) {
@@ -107,52 +41,46 @@ Renderer::Program::Program(GlProgram linked)
       matrix(glGetUniformLocation(program, "viewProjection")),
       tint(glGetUniformLocation(program, "tint")) {}
 
-Renderer::Renderer(const Hierarchy& hierarchy, int width, int height)
+Renderer::Renderer(const Hierarchy& hierarchy, int width, int height,
+                   const RendererOptions& options)
     : hierarchy_(hierarchy),
+      options_(options),
       framebuffer_(width, height),
       nodePrograms_{
-          Program(makeGlProgram("nodes, lit", kNodeVertexShader, kLitFragmentShader)),
-          Program(makeGlProgram("nodes, objects", kObjectVertexShader, kObjectFragmentShader)),
-          Program(makeGlProgram("nodes, tinted", kNodeVertexShader, kTintedFragmentShader))},
-      boxProgram_(makeGlProgram("boxes", kBoxVertexShader, kBoxFragmentShader)) {
+          Program(makeGlProgram("nodes, lit", shaders::kNodeVertex, shaders::kLitFragment)),
+          Program(
+              makeGlProgram("nodes, objects", shaders::kObjectVertex, shaders::kObjectFragment)),
+          Program(makeGlProgram("nodes, tinted", shaders::kNodeVertex, shaders::kTintedFragment))},
+      boxProgram_(makeGlProgram("boxes", shaders::kBoxVertex, shaders::kBoxFragment)) {
   uploadGeometry();
+  uploadColors();
   uploadBoxes();
 }
 
+// One buffer holds vertices and indices, block after block as in the file.
 void Renderer::uploadGeometry() {
+  for (NodeId id = 0; id < hierarchy_.nodes.size(); ++id) checkGeometryHash(hierarchy_, id);
   glBindVertexArray(nodeArray_);
-  fillBuffer(GL_ARRAY_BUFFER, vertices_, "node vertices", hierarchy_.vertices.data(),
-             hierarchy_.vertices.size() * sizeof(Vertex));
-  uploadIndices();
+  const std::span<const std::byte> bytes = hierarchy_.geometry.bytes();
+  fillBuffer(GL_ARRAY_BUFFER, geometry_, "node geometry", bytes.data(), bytes.size());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, geometry_);
   setAttribute(0, 3, GL_FLOAT, false, sizeof(Vertex), offsetof(Vertex, position));
-  setAttribute(1, 3, GL_SHORT, true, sizeof(Vertex), offsetof(Vertex, normal));
-  setAttribute(2, 4, GL_UNSIGNED_BYTE, true, sizeof(Vertex), offsetof(Vertex, color));
-  glEnableVertexAttribArray(3);
-  glVertexAttribIPointer(3, 1, GL_UNSIGNED_SHORT, sizeof(Vertex),
+  // not normalised by OpenGL, whose versions do it differently
+  setAttribute(1, 2, GL_BYTE, false, sizeof(Vertex), offsetof(Vertex, normal));
+  glEnableVertexAttribArray(2);
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, sizeof(Vertex),
                          reinterpret_cast<const void*>(offsetof(Vertex, object)));
 }
 
-// In 16 bits where they fit, which nearly all nodes do; 32-bit ones stay aligned.
-void Renderer::uploadIndices() {
-  std::vector<std::byte> bytes;
-  bytes.reserve(hierarchy_.indices.size() * sizeof(std::uint16_t));
-  const auto append = [&](const auto* indices, std::size_t count) {
-    const auto* begin = reinterpret_cast<const std::byte*>(indices);
-    bytes.insert(bytes.end(), begin, begin + count * sizeof(*indices));
-  };
-  std::vector<std::uint16_t> narrow;
-  for (const Node& node : hierarchy_.nodes) {
-    bytes.resize((bytes.size() + 3) / 4 * 4);
-    indexOffsets_.push_back(bytes.size());
-    const std::uint32_t* indices = hierarchy_.indices.data() + node.firstIndex;
-    if (hasNarrowIndices(node)) {
-      narrow.assign(indices, indices + node.indexCount);
-      append(narrow.data(), narrow.size());
-    } else {
-      append(indices, node.indexCount);
-    }
-  }
-  fillBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_, "node indices", bytes.data(), bytes.size());
+void Renderer::uploadColors() {
+  std::vector<glm::vec4> colors;
+  for (const SceneObject& object : hierarchy_.objects) colors.emplace_back(object.color, 1.0f);
+  if (colors.empty()) colors.emplace_back(1.0f);
+  fillBuffer(GL_TEXTURE_BUFFER, colors_, "object colors", colors.data(),
+             colors.size() * sizeof(glm::vec4));
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_BUFFER, colorTexture_);
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, colors_);
 }
 
 void Renderer::uploadBoxes() {
@@ -180,12 +108,16 @@ void Renderer::beginFrame(const Camera& camera, Shading shading) {
     glUseProgram(used->program);
     glUniformMatrix4fv(used->matrix, 1, GL_FALSE, glm::value_ptr(matrix));
   }
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_BUFFER, colorTexture_);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glCullFace(GL_BACK);
   // boxes that lie in the plane of geometry, as those of walls do, must not fail the depth test for
   // rounding: a query may see too much, never too little
   glPolygonOffset(-1.0f, -1.0f);
+  glDisable(GL_CULL_FACE);
+  isCulling_ = false;
   state_ = State::kNone;
   setState(State::kNodes);
   if (shading == Shading::kObjects)
@@ -217,30 +149,65 @@ void Renderer::setState(State state) {
   const GLboolean write = boxes ? GL_FALSE : GL_TRUE;
   glColorMask(write, write, write, write);
   glDepthMask(write);
-  if (boxes) {
-    glEnable(GL_CULL_FACE);  // each covered pixel must pass once
+  if (boxes)
     glEnable(GL_POLYGON_OFFSET_FILL);
-  } else {
-    glDisable(GL_CULL_FACE);
+  else
     glDisable(GL_POLYGON_OFFSET_FILL);
-  }
   glUseProgram(boxes ? boxProgram_.program : nodeProgram().program);
   glBindVertexArray(boxes ? boxArray_ : nodeArray_);
 }
 
+void Renderer::setCulling(bool on) {
+  if (on == isCulling_) return;
+  isCulling_ = on;
+  if (on)
+    glEnable(GL_CULL_FACE);
+  else
+    glDisable(GL_CULL_FACE);
+}
+
+Renderer::Kind Renderer::kindOf(const Node& node) const {
+  return {options_.culling == FaceCulling::kBackWhereConsistent &&
+              (node.flags & kConsistentWinding) != 0,
+          static_cast<GLenum>(node.hasNarrowIndices() ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT)};
+}
+
 void Renderer::drawNode(NodeId id) {
-  setState(State::kNodes);
   const Node& node = hierarchy_.node(id);
+  const Kind kind = kindOf(node);
+  setState(State::kNodes);
+  setCulling(kind.isCulled);
   // with the range of indices, a software rasteriser shades each vertex once
   glDrawRangeElementsBaseVertex(GL_TRIANGLES, 0, node.vertexCount > 0 ? node.vertexCount - 1 : 0,
-                                static_cast<GLsizei>(node.indexCount),
-                                hasNarrowIndices(node) ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
-                                reinterpret_cast<const void*>(indexOffsets_[id]),
-                                static_cast<GLint>(node.firstVertex));
+                                static_cast<GLsizei>(node.indexCount), kind.indexType,
+                                reinterpret_cast<const void*>(node.indexOffset()),
+                                static_cast<GLint>(node.geometryOffset / sizeof(Vertex)));
+}
+
+void Renderer::drawNodes(std::span<const NodeId> nodes) {
+  while (!nodes.empty()) {
+    const Kind kind = kindOf(hierarchy_.node(nodes[0]));
+    counts_.clear();
+    indexPlaces_.clear();
+    firstVertices_.clear();
+    for (const NodeId id : nodes) {
+      const Node& node = hierarchy_.node(id);
+      if (kindOf(node) != kind) break;
+      counts_.push_back(static_cast<GLsizei>(node.indexCount));
+      indexPlaces_.push_back(reinterpret_cast<const void*>(node.indexOffset()));
+      firstVertices_.push_back(static_cast<GLint>(node.geometryOffset / sizeof(Vertex)));
+    }
+    setState(State::kNodes);
+    setCulling(kind.isCulled);
+    glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts_.data(), kind.indexType, indexPlaces_.data(),
+                                  static_cast<GLsizei>(counts_.size()), firstVertices_.data());
+    nodes = nodes.subspan(counts_.size());
+  }
 }
 
 void Renderer::drawBox(NodeId id) {
   setState(State::kBoxes);
+  setCulling(true);  // each covered pixel must pass once
   glDrawElementsBaseVertex(GL_TRIANGLES, 36, GL_UNSIGNED_SHORT, nullptr,
                            static_cast<GLint>(8 * id));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "hlod/render/framebuffer.h"
@@ -18,20 +19,33 @@ enum class Shading {
   kTinted    // the colour of setTint(), lit: overlays
 };
 
-// Draws nodes and boxes of a hierarchy whose geometry is resident in one vertex and one index
-// buffer. Knows nothing of why a node is drawn.
+enum class FaceCulling {
+  kNone,                // both faces are drawn
+  kBackWhereConsistent  // only front faces, in nodes that have kConsistentWinding
+};
+
+struct RendererOptions {
+  FaceCulling culling = FaceCulling::kNone;
+};
+
+// Draws nodes and boxes of a hierarchy whose geometry is resident in one buffer. Knows nothing of
+// why a node is drawn.
 class Renderer {
  public:
-  // Uploads the geometry. The hierarchy must outlive the renderer; its vertices and indices are
-  // not read again. Throws std::runtime_error when the driver has no memory for it.
-  Renderer(const Hierarchy& hierarchy, int width, int height);
+  // Checks and uploads the geometry, which is not read again. The hierarchy must outlive the
+  // renderer. Throws std::runtime_error when the driver has no memory for it, and InputError when a
+  // checksum does not match.
+  Renderer(const Hierarchy& hierarchy, int width, int height, const RendererOptions& options = {});
 
   // Clears the framebuffer and sets the camera, whose viewport must be the framebuffer's size.
   void beginFrame(const Camera& camera, Shading shading = Shading::kLit);
   // The colour of the nodes drawn next, linear RGB, 0 to 1; seen in Shading::kTinted only.
   void setTint(const glm::vec3& color);
-  // Draws the node's LOD, both faces, lit.
+  // Draws the node's LOD.
   void drawNode(NodeId node);
+  // Draws the LODs of nodes, in this order, with as few calls as their kinds allow: the picture
+  // that drawNode() for each of them makes.
+  void drawNodes(std::span<const NodeId> nodes);
   // Draws the front faces of the node's box, tested against the depth buffer and leaving no trace.
   void drawBox(NodeId node);
 
@@ -42,6 +56,14 @@ class Renderer {
  private:
   enum class State { kNone, kNodes, kBoxes };
   void setState(State state);
+  void setCulling(bool on);
+  // What of a node decides how it is drawn; nodes that share it can be drawn by one call.
+  struct Kind {
+    bool isCulled;
+    GLenum indexType;
+    bool operator==(const Kind&) const = default;
+  };
+  [[nodiscard]] Kind kindOf(const Node& node) const;
   // A program and the places of its uniforms; -1 where it has none.
   struct Program {
     explicit Program(GlProgram linked);
@@ -52,17 +74,23 @@ class Renderer {
     return nodePrograms_[static_cast<std::size_t>(shading_)];
   }
   void uploadGeometry();
-  void uploadIndices();
+  void uploadColors();
   void uploadBoxes();
 
   const Hierarchy& hierarchy_;
+  RendererOptions options_;
   Framebuffer framebuffer_;
   std::array<Program, 3> nodePrograms_;  // by Shading
   Program boxProgram_;
   GlVertexArray nodeArray_, boxArray_;
-  GlBuffer vertices_, indices_, boxCorners_, boxIndices_;
-  std::vector<std::size_t> indexOffsets_;  // by node: bytes into indices_
+  GlBuffer geometry_, colors_, boxCorners_, boxIndices_;
+  GlTexture colorTexture_;  // colors_ by object
   State state_ = State::kNone;
+  bool isCulling_ = false;
+  // of one call of drawNodes(), kept for their memory
+  std::vector<GLsizei> counts_;
+  std::vector<const void*> indexPlaces_;
+  std::vector<GLint> firstVertices_;
   Lens lens_;  // of the frame
   Shading shading_ = Shading::kLit;
 };

@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "hlod/core/error.h"
+#include "hlod/tree/hasher.h"
+
 namespace hlodbench {
 namespace {
 
@@ -60,25 +63,43 @@ std::string checkGeometry(const Hierarchy& h, NodeId id) {
   const Node& node = h.nodes[id];
   if (node.indexCount == 0 || node.indexCount % 3 != 0)
     return fmt::format("node {}: {} indices make no triangles", id, node.indexCount);
-  if (node.firstVertex > h.vertices.size() ||
-      h.vertices.size() - node.firstVertex < node.vertexCount)
-    return fmt::format("node {}: vertices out of range", id);
-  if (node.firstIndex > h.indices.size() || h.indices.size() - node.firstIndex < node.indexCount)
-    return fmt::format("node {}: indices out of range", id);
-  for (std::uint64_t i = 0; i < node.indexCount; ++i)
-    if (h.indices[node.firstIndex + i] >= node.vertexCount)
-      return fmt::format("node {}: index {} is not below its {} vertices", id,
-                         h.indices[node.firstIndex + i], node.vertexCount);
-  for (std::uint64_t v = 0; v < node.vertexCount; ++v) {
-    const glm::vec3& p = h.vertices[node.firstVertex + v].position;
+  if (!isGeometryInRange(h, node)) return fmt::format("node {}: geometry out of range", id);
+  if (computeHash(h.geometryBytes(node)) != node.geometryHash)
+    return fmt::format("node {}: the checksum of its geometry does not match", id);
+  const NodeIndices indices = h.indices(node);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (indices[i] >= node.vertexCount)
+      return fmt::format("node {}: index {} is not below its {} vertices", id, indices[i],
+                         node.vertexCount);
+  std::size_t v = 0;
+  for (const Vertex& vertex : h.vertices(node)) {
+    const glm::vec3& p = vertex.position;
     const bool inside = glm::all(glm::lessThanEqual(node.box.min, p)) &&
                         glm::all(glm::lessThanEqual(p, node.box.max));
     if (!inside) return fmt::format("node {}: vertex {} outside its box", id, v);
+    if (vertex.object >= h.objects.size())
+      return fmt::format("node {}: vertex {} of object {}, of {}", id, v, vertex.object,
+                         h.objects.size());
+    ++v;
   }
   return {};
 }
 
 }  // namespace
+
+bool isGeometryInRange(const Hierarchy& hierarchy, const Node& node) {
+  const std::uint64_t size = hierarchy.geometry.bytes().size();
+  return node.geometryOffset % kBlockAlignment == 0 && node.geometryOffset <= size &&
+         size - node.geometryOffset >= node.blockBytes();
+}
+
+void checkGeometryHash(const Hierarchy& hierarchy, NodeId id) {
+  const Node& node = hierarchy.node(id);
+  if (computeHash(hierarchy.geometryBytes(node)) != node.geometryHash)
+    throw InputError(
+        fmt::format("{}: node {}: damaged: the checksum of its geometry does not match",
+                    hierarchy.geometry.name(), id));
+}
 
 std::string validate(const Hierarchy& hierarchy) {
   if (hierarchy.nodes.empty()) return "no node at all";

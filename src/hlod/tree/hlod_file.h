@@ -18,21 +18,20 @@ struct HlodFileInfo {
 };
 
 // The format written and read; files of another are refused, they are quickly built anew.
-inline constexpr std::uint32_t kHlodFileVersion = 1;
+inline constexpr std::uint32_t kHlodFileVersion = 2;
 
-// Writes a hierarchy as a binary file (little-endian), to a temporary name in the same folder that
-// is renamed when it is complete; a failure leaves neither behind. Sets info.version and
-// info.contentHash. Throws InputError with the path and the reason.
-void writeHlodFile(const std::filesystem::path& path, const Hierarchy& hierarchy,
-                   HlodFileInfo& info);
-
-// Reads a hierarchy; info, where given, is filled. Throws InputError with the path and the reason:
-// missing, no hierarchy file, another version, another size than its header says, a checksum that
-// does not match.
+// Opens a hierarchy; info, where given, is filled. Its geometry is mapped, not read: blocks are
+// checked by checkGeometryHash() when they are first used. Throws InputError with the path and the
+// reason: missing, no hierarchy file, another version, another size than its header says, a
+// checksum of header or tables that does not match.
 Hierarchy readHlodFile(const std::filesystem::path& path, HlodFileInfo* info = nullptr);
 
 // Reads the header only: cheap, and enough to see whether the file is the wanted one. Checks
-// everything that readHlodFile() does but the checksum of the payload.
+// everything that readHlodFile() does but the tables.
 HlodFileInfo readHlodFileInfo(const std::filesystem::path& path);
+
+// Whether the file is there and a hierarchy, of a version that is not kHlodFileVersion. Throws
+// nothing.
+bool isOtherHlodVersion(const std::filesystem::path& path);
 
 }  // namespace hlodbench
