@@ -6,6 +6,7 @@
 
 #include "hlod/core/error.h"
 #include "hlod/scene/scene_file.h"
+#include "hlod/scene/scene_source.h"
 #include "progress_line.h"
 
 namespace hlodbench {
@@ -47,11 +48,11 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
     ProgressLine line("building " + stored.sceneName);
     // reading takes the small first part of the time
     constexpr double kReading = 0.1;
-    const Scene scene = readScene(scenePath, [&](const std::string& stage, double share) {
-      line.update(stage, kReading * share);
-    });
+    const std::unique_ptr<TriangleSource> scene = openScene(
+        scenePath,
+        [&](const std::string& stage, double share) { line.update(stage, kReading * share); });
     stored.report.emplace();
-    stored.hierarchy = buildHierarchy(scene.mesh, options, *stored.report,
+    stored.hierarchy = buildHierarchy(*scene, options, *stored.report,
                                       [&](const std::string& stage, double share) {
                                         line.update(stage, kReading + (1.0 - kReading) * share);
                                       });
