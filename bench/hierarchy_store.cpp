@@ -6,6 +6,7 @@
 
 #include "hlod/core/error.h"
 #include "hlod/scene/scene_file.h"
+#include "hlod/scene/scene_source.h"
 #include "hlod/tree/hlod_writer.h"
 #include "progress_line.h"
 
@@ -44,22 +45,22 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
     if (error)
       throw InputError(fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
   }
-  {
-    ProgressLine line("building " + stored.sceneName);
-    // reading takes the small first part of the time
-    constexpr double kReading = 0.1;
-    const Scene scene = readScene(scenePath, [&](const std::string& stage, double share) {
-      line.update(stage, kReading * share);
-    });
-    stored.report.emplace();
-    stored.hierarchy = buildHierarchy(scene.mesh, options, *stored.report,
-                                      [&](const std::string& stage, double share) {
-                                        line.update(stage, kReading + (1.0 - kReading) * share);
-                                      });
-  }
   stored.info.sceneHash = sceneHash;
   stored.info.options = optionText;
-  writeHlodFile(file, stored.hierarchy, stored.info);
+  ProgressLine line("building " + stored.sceneName);
+  // reading takes the small first part of the time
+  constexpr double kReading = 0.1;
+  const std::unique_ptr<TriangleSource> scene = openScene(
+      scenePath,
+      [&](const std::string& stage, double share) { line.update(stage, kReading * share); });
+  stored.report.emplace();
+  HlodWriter writer(file);
+  const BuiltTree tree = buildTree(*scene, options, writer, *stored.report,
+                                   [&](const std::string& stage, double share) {
+                                     line.update(stage, kReading + (1.0 - kReading) * share);
+                                   });
+  Hierarchy hierarchy = makeHierarchy(tree);
+  writer.finish(hierarchy, stored.info, sinkIds(tree));
   // from now on the file's geometry serves, and memory is free for other things
   stored.hierarchy = readHlodFile(file, &stored.info);
   return stored;

@@ -1,14 +1,23 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "hlod/build/hierarchy_builder.h"
 #include "hlod/build/octree.h"
+#include "hlod/build/welded_mesh.h"
 #include "hlod/core/error.h"
 #include "mesh_helpers.h"
 
 namespace hlodbench {
 namespace {
+
+std::vector<SceneTriangle> trianglesOf(const TriangleMesh& mesh) {
+  std::vector<SceneTriangle> out(mesh.triangles.size());
+  MeshTriangles(mesh).read(0, out);
+  return out;
+}
 
 TEST(Weld, JoinsEqualPositionsOfOneObjectOnly) {
   TriangleMesh mesh;
@@ -16,31 +25,35 @@ TEST(Weld, JoinsEqualPositionsOfOneObjectOnly) {
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {0, 2, 5}};
   mesh.objects = {0, 0, 1};
   mesh.objectTable.resize(2);
-  const WeldedMesh welded = computeWeldedMesh(mesh);
-  EXPECT_EQ(welded.positionCount(), 4u);
+  const WeldedMesh welded = computeWeldedMesh(trianglesOf(mesh), 1.0);
   EXPECT_EQ(welded.positions.size(), 4u + 3u);
-  EXPECT_EQ(welded.triangles[0].x, welded.triangles[1].x);  // 0 and -0
-  EXPECT_NE(welded.triangles[0].x, welded.triangles[2].x);
-  EXPECT_EQ(welded.positionIds[welded.triangles[0].x], welded.positionIds[welded.triangles[2].x]);
-  EXPECT_EQ(welded.seams[welded.positionIds[welded.triangles[0].x]], 1);
-  EXPECT_EQ(welded.seams[welded.positionIds[welded.triangles[0].y]], 0);
+  const std::uint32_t both = welded.triangles[0].x;
+  EXPECT_EQ(both, welded.triangles[1].x);  // 0 and -0
+  EXPECT_NE(both, welded.triangles[2].x);
+  EXPECT_EQ(welded.positions[both], welded.positions[welded.triangles[2].x]);
+  EXPECT_TRUE(welded.isLocked(both, 0, 3));  // where two objects meet
+  const std::uint32_t alone = welded.triangles[0].y;
+  EXPECT_FALSE(welded.isLocked(alone, 0, 3));
+  EXPECT_FALSE(welded.isLocked(alone, 0, 1));
+  EXPECT_TRUE(welded.isLocked(alone, 1, 3));
 }
 
 TEST(Weld, NormalsPointOutOfAClosedBodyAndAreUnitLength) {
-  TriangleMesh mesh = testing::nastySoup(3);
-  for (const glm::vec3& n : computeWeldedMesh(mesh).normals)
+  const TriangleMesh soup = testing::nastySoup(3);
+  for (const glm::vec3& n : computeWeldedMesh(trianglesOf(soup), 0.25).normals)
     EXPECT_NEAR(glm::length(n), 1.0f, 1e-5f);
-  const WeldedMesh sphere = computeWeldedMesh(testing::bumpySphere(60));
+  const WeldedMesh sphere = computeWeldedMesh(trianglesOf(testing::bumpySphere(60)), 0.25);
   for (std::size_t v = 0; v < sphere.positions.size(); ++v)
     EXPECT_GT(glm::dot(sphere.normals[v], sphere.positions[v] - glm::vec3(3, -2, 1)), 0.0f);
 }
 
-TEST(Weld, RefusesBadMeshesWithOneLine) {
+TEST(BuildHierarchy, RefusesBadMeshesWithOneLine) {
   const auto messageOf = [](auto&& spoil) {
     TriangleMesh mesh = testing::bumpySphere(10);
     spoil(mesh);
     try {
-      computeWeldedMesh(mesh);
+      BuildReport report;
+      buildHierarchy(mesh, BuildOptions(), report);
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
       return std::string(error.what());
@@ -63,36 +76,49 @@ TEST(Weld, RefusesBadMeshesWithOneLine) {
             std::string::npos);
 }
 
-void expectSound(const Octree& tree, const WeldedMesh& mesh, std::uint32_t limit) {
-  ASSERT_EQ(tree.nodes[0].size(), mesh.triangles.size());
-  std::uint32_t oversized = 0;
-  for (NodeId id = 0; id < tree.nodes.size(); ++id) {
-    const OctreeNode& node = tree.nodes[id];
-    ASSERT_GT(node.size(), 0u);
+// The codes of a scene's triangles, in order.
+std::vector<std::uint64_t> codesOf(const TriangleMesh& mesh) {
+  Aabb box;
+  for (const SceneTriangle& t : trianglesOf(mesh))
+    for (const glm::vec3& corner : t.corners) box.extend(corner);
+  const CellCodes cells(box);
+  std::vector<std::uint64_t> codes;
+  for (const SceneTriangle& t : trianglesOf(mesh)) codes.push_back(cells.codeOf(t));
+  std::sort(codes.begin(), codes.end());
+  return codes;
+}
+
+// Returns the number of leaves over the limit.
+int expectSound(const std::vector<OctreeNode>& nodes, std::size_t triangles, std::uint32_t limit) {
+  EXPECT_EQ(nodes[0].begin, 0u);
+  EXPECT_EQ(nodes[0].end, triangles);
+  int oversized = 0;
+  for (NodeId id = 0; id < nodes.size(); ++id) {
+    const OctreeNode& node = nodes[id];
+    EXPECT_GT(node.triangles, 0u);
+    EXPECT_EQ(node.triangles, node.end - node.begin);
     if (node.isLeaf()) {
-      oversized += node.size() > limit ? 1 : 0;
+      oversized += node.triangles > limit ? 1 : 0;
       continue;
     }
-    EXPECT_GT(node.size(), limit);
+    EXPECT_GT(node.triangles, limit);
     EXPECT_GE(node.childCount, 2u);
     EXPECT_LE(node.childCount, 8u);
     std::uint32_t at = node.begin;
     for (NodeId child = node.firstChild; child < node.firstChild + node.childCount; ++child) {
-      EXPECT_EQ(tree.nodes[child].parent, id);
-      EXPECT_EQ(tree.nodes[child].level, node.level + 1);
-      EXPECT_EQ(tree.nodes[child].begin, at);
-      EXPECT_TRUE(node.box.contains(tree.nodes[child].box));
-      at = tree.nodes[child].end;
+      EXPECT_EQ(nodes[child].level, node.level + 1);
+      EXPECT_EQ(nodes[child].begin, at);
+      at = nodes[child].end;
     }
     EXPECT_EQ(at, node.end);
   }
-  EXPECT_EQ(oversized, tree.oversizedLeaves);
+  return oversized;
 }
 
 TEST(Octree, PartsTheTrianglesAtEveryNode) {
   for (const std::uint32_t limit : {1u, 16u, 300u, 1'000'000u}) {
-    WeldedMesh mesh = computeWeldedMesh(testing::nastySoup(limit));
-    expectSound(computeOctree(mesh, limit), mesh, limit);
+    const std::vector<std::uint64_t> codes = codesOf(testing::nastySoup(limit));
+    expectSound(computeOctree(codes, limit), codes.size(), limit);
   }
 }
 
@@ -100,10 +126,8 @@ TEST(Octree, EndsWhereCentroidsCoincide) {
   TriangleMesh mesh = testing::bumpySphere(20);
   for (int i = 0; i < 100; ++i) mesh.triangles.push_back(mesh.triangles[17]);
   mesh.objects.resize(mesh.triangles.size(), 0);
-  WeldedMesh welded = computeWeldedMesh(mesh);
-  const Octree tree = computeOctree(welded, 16);
-  expectSound(tree, welded, 16);
-  EXPECT_EQ(tree.oversizedLeaves, 1u);
+  const std::vector<std::uint64_t> codes = codesOf(mesh);
+  EXPECT_EQ(expectSound(computeOctree(codes, 16), codes.size(), 16), 1);
 }
 
 }  // namespace

@@ -46,10 +46,10 @@ class FreeCollapser {
     computePlanes();
   }
 
-  std::vector<glm::uvec3> run() {
+  std::vector<glm::uvec3> run(SimplifierStats& stats) {
     bool guarded = true;
     while (triangles_.size() > input_.targetTriangles) {
-      const bool moved = pass(guarded);
+      const bool moved = pass(guarded, stats);
       if (!moved && !guarded) break;
       guarded = moved && guarded;
     }
@@ -139,7 +139,7 @@ class FreeCollapser {
   }
 
   // Does the cheapest collapses that do not touch each other; false when there was none.
-  bool pass(bool guarded) {
+  bool pass(bool guarded, SimplifierStats& stats) {
     computeFaces();
     std::vector<Collapse> collapses;
     for (std::uint32_t v = 0; v < input_.positions.size(); ++v) {
@@ -165,6 +165,7 @@ class FreeCollapser {
         removed += t.x == c.to || t.y == c.to || t.z == c.to ? 1 : 0;
         for (int k = 0; k < 3; ++k) touched[t[k]] = 1;
       }
+      if (!guarded && turnsFaceOver(c.from, c.to)) ++stats.foldedFaces;
       target[c.from] = c.to;
       planes_[c.to].add(planes_[c.from]);
     }
@@ -191,8 +192,8 @@ class FreeCollapser {
 }  // namespace
 
 std::vector<glm::uvec3> collapseFreely(const SimplifierInput& input,
-                                       std::vector<glm::uvec3> triangles) {
-  return FreeCollapser(input, std::move(triangles)).run();
+                                       std::vector<glm::uvec3> triangles, SimplifierStats& stats) {
+  return FreeCollapser(input, std::move(triangles)).run(stats);
 }
 
 }  // namespace hlodbench

@@ -11,7 +11,8 @@ namespace hlodbench {
 // Locked vertices stay, collapses that turn faces over come last. triangles: over the input's
 // vertices, three different corners each; returns at most input.targetTriangles of them, or more
 // where only locked vertices are left. The input's own triangles and origins are not looked at.
+// Counts the faces that were turned over.
 std::vector<glm::uvec3> collapseFreely(const SimplifierInput& input,
-                                       std::vector<glm::uvec3> triangles);
+                                       std::vector<glm::uvec3> triangles, SimplifierStats& stats);
 
 }  // namespace hlodbench

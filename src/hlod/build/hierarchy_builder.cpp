@@ -3,153 +3,191 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
 
-#include "hlod/build/assemble.h"
-#include "hlod/build/border_locks.h"
-#include "hlod/build/local_index.h"
-#include "hlod/build/node_error.h"
-#include "hlod/build/node_frame.h"
-#include "hlod/build/octree.h"
+#include "hlod/build/chunk_budget.h"
+#include "hlod/build/scene_pass.h"
+#include "hlod/build/stop_watch.h"
+#include "hlod/build/top_builder.h"
 #include "hlod/core/error.h"
-#include "hlod/core/parallel_for.h"
 
 namespace hlodbench {
 namespace {
 
-// Seconds since it was made or last asked.
-class StopWatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-// What one thread counts, and the memory it keeps between nodes.
-struct Worker {
-  LocalIndex local;
-  SimplifierStats stats;
-  std::uint64_t lockedVertices = 0;
-  double simplifySeconds = 0.0;
-  double errorSeconds = 0.0;
-};
-
-// Makes the LODs of the interior nodes, the deepest level first.
-class LodMaker {
- public:
-  LodMaker(const WeldedMesh& mesh, const Octree& tree, const BuildOptions& options,
-           unsigned threads)
-      : mesh_(mesh),
-        tree_(tree),
-        options_(options),
-        locks_(mesh),
-        simplifier_(createSimplifier(options.simplifier)),
-        workers_(threads),
-        lods_(tree.nodes.size()) {}
-
-  std::vector<NodeLod> run(const Progress& progress) {
-    std::size_t done = 0;
-    std::vector<std::vector<NodeId>> levels(tree_.levels);
-    for (NodeId id = 0; id < tree_.nodes.size(); ++id)
-      if (!tree_.nodes[id].isLeaf()) levels[tree_.nodes[id].level].push_back(id);
-    const std::size_t interior = tree_.nodes.size() - tree_.leaves;
-    for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-      parallelFor(
-          level->size(), static_cast<unsigned>(workers_.size()),
-          [&](std::size_t i, unsigned worker) { makeLod((*level)[i], workers_[worker]); },
-          [&](std::size_t finished) {
-            if (progress)
-              progress("simplify",
-                       static_cast<double>(done + finished) / static_cast<double>(interior));
-          });
-      done += level->size();
-    }
-    return std::move(lods_);
-  }
-
-  void addTo(BuildReport& report) const {
-    for (const Worker& worker : workers_) {
-      report.simplifier.add(worker.stats);
-      report.lockedVertices += worker.lockedVertices;
-      report.simplifySeconds += worker.simplifySeconds;
-      report.errorSeconds += worker.errorSeconds;
-    }
-  }
-
- private:
-  void makeLod(NodeId id, Worker& worker) {
-    const OctreeNode& node = tree_.nodes[id];
-    NodeLod& lod = lods_[id];
-    StopWatch watch;
-    lod.triangles = simplifyChildren(node, worker);
-    worker.simplifySeconds += watch.lap();
-    float childError = 0.0f;
-    for (std::uint32_t child = 0; child < node.childCount; ++child)
-      childError = std::max(childError, lods_[node.firstChild + child].error);
-    lod.error =
-        computeNodeError(mesh_, locks_, node, lod.triangles, options_.errorSamples, childError);
-    worker.errorSeconds += watch.lap();
-  }
-
-  std::vector<glm::uvec3> simplifyChildren(const OctreeNode& node, Worker& worker) const {
-    worker.local.reset();
-    std::vector<glm::uvec3> triangles;
-    std::vector<std::uint8_t> origins;
-    for (std::uint32_t i = 0; i < node.childCount; ++i) {
-      const NodeId child = node.firstChild + i;
-      for (const glm::uvec3& t : lodTriangles(mesh_, tree_.nodes[child], lods_[child]))
-        triangles.emplace_back(worker.local.add(t.x), worker.local.add(t.y), worker.local.add(t.z));
-      origins.resize(triangles.size(),
-                     tree_.nodes[child].isLeaf() ? static_cast<std::uint8_t>(i) : kNotOriginal);
-    }
-    const std::vector<std::uint32_t>& vertices = worker.local.vertices();
-    const NodeFrame frame(node.box);
-    std::vector<glm::vec3> positions(vertices.size());
-    std::vector<std::uint8_t> locked(vertices.size());
-    std::size_t lockedVertices = 0;
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-      positions[v] = frame.toLocal(mesh_.positions[vertices[v]]);
-      locked[v] = locks_.isLocked(vertices[v], node.begin, node.end) ? 1 : 0;
-      lockedVertices += locked[v];
-    }
-    worker.lockedVertices += lockedVertices;
-    std::vector<glm::uvec3> result = simplifier_->simplify(
-        {positions, triangles, locked, origins, targetTriangles(lockedVertices)}, worker.stats);
-    // A node of nothing but degenerate triangles keeps one: every node has something to draw.
-    if (result.empty()) result.push_back(triangles.front());
-    for (glm::uvec3& t : result) t = {vertices[t.x], vertices[t.y], vertices[t.z]};
-    return result;
-  }
-
-  // A surface with L vertices on its border and I inside has about L + 2 I triangles. Where locked
-  // vertices alone would use up the limit, the inside still gets half of it: held to the limit, the
-  // surface would collapse to its border.
-  [[nodiscard]] std::size_t targetTriangles(std::size_t lockedVertices) const {
-    const std::size_t limit = options_.maxTriangles;
-    return std::max(limit, lockedVertices + limit / 2);
-  }
-
-  const WeldedMesh& mesh_;
-  const Octree& tree_;
-  const BuildOptions& options_;
-  BorderLocks locks_;
-  std::unique_ptr<Simplifier> simplifier_;
-  std::vector<Worker> workers_;
-  std::vector<NodeLod> lods_;
-};
-
-void countNodes(const Hierarchy& hierarchy, std::uint32_t maxTriangles, BuildReport& report) {
-  for (const Node& node : hierarchy.nodes) {
-    report.largestNode = std::max<std::uint64_t>(report.largestNode, node.triangleCount());
-    if (!node.isLeaf() && node.triangleCount() > maxTriangles) ++report.nodesAboveLimit;
-  }
+// The box of all triangles.
+Aabb measureScene(const TriangleSource& source, unsigned threads) {
+  if (source.triangleCount() == 0)
+    throw InputError("mesh: expected at least one triangle, found none");
+  if (source.triangleCount() >= std::numeric_limits<std::uint32_t>::max())
+    throw InputError(fmt::format("mesh: expected fewer than {} triangles, found {}",
+                                 std::numeric_limits<std::uint32_t>::max(),
+                                 source.triangleCount()));
+  std::vector<Aabb> boxes(threads);
+  std::atomic<bool> hasArea{false};
+  passOverScene(source, threads, [&](std::span<const SceneTriangle> triangles, unsigned worker) {
+    for (const SceneTriangle& t : triangles)
+      for (const glm::vec3& corner : t.corners) boxes[worker].extend(corner);
+    hasArea = hasArea || std::any_of(triangles.begin(), triangles.end(), [](const auto& t) {
+                const glm::dvec3 cross = scaledCross(t, 1.0);
+                return cross != glm::dvec3(0.0);
+              });
+  });
+  if (!hasArea) throw InputError("mesh: expected triangles with an area, found none");
+  Aabb box;
+  for (const Aabb& part : boxes) box.extend(part);
+  return box;
 }
+
+// Puts every triangle into its chunk and finds the chunks' boxes.
+std::vector<Aabb> sortIntoChunks(const TriangleSource& source, const CellCodes& codes,
+                                 const ChunkPlan& plan, unsigned threads, ChunkStore& store,
+                                 const std::function<void(double)>& report) {
+  std::vector<std::vector<Aabb>> parts(threads, std::vector<Aabb>(plan.chunks.size()));
+  passOverScene(
+      source, threads,
+      [&](std::span<const SceneTriangle> triangles, unsigned worker) {
+        std::uint32_t chunk = 0;
+        for (const SceneTriangle& t : triangles) {
+          plan.find(codes.codeOf(t), chunk);
+          for (const glm::vec3& corner : t.corners) parts[worker][chunk].extend(corner);
+          store.add(t, chunk, worker);
+        }
+      },
+      report);
+  store.finish();
+  std::vector<Aabb> boxes(plan.chunks.size());
+  for (const std::vector<Aabb>& part : parts)
+    for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) boxes[chunk].extend(part[chunk]);
+  return boxes;
+}
+
+// The stages of building, one after the other.
+class TreeBuilder {
+ public:
+  TreeBuilder(const TriangleSource& source, const BuildOptions& options, NodeSink& sink,
+              BuildReport& report, const Progress& progress)
+      : source_(source),
+        options_(options),
+        sink_(sink),
+        report_(report),
+        progress_(progress),
+        threads_(resolveThreads(options.threads)),
+        simplifier_(createSimplifier(options.simplifier)),
+        workers_(threads_),
+        winding_(source.objects().size()) {}
+
+  BuiltTree run() {
+    StopWatch total, watch;
+    const ChunkBudget budget = computeChunkBudget(source_, options_, threads_);
+    tell("measuring", 0.0);
+    const Aabb box = measureScene(source_, threads_);
+    const CellCodes codes(box);
+    tell("counting", 0.0);
+    const ChunkPlan plan =
+        computeChunkPlan(source_, codes, budget.chunkTriangles, threads_, teller("counting"));
+    std::optional<std::filesystem::path> folder;
+    if (options_.memory > 0) folder = options_.temporaryFolder;
+    ChunkStore store(plan, threads_, folder);
+    const std::vector<Aabb> boxes =
+        sortIntoChunks(source_, codes, plan, threads_, store, teller("sorting"));
+    report_.sortSeconds = watch.lap();
+    tell("sharing", 0.0);
+    const double scale = normalScale(box);
+    const SharedVertices shared = findSharedVertices(store, boxes, scale, threads_);
+    report_.sharedSeconds = watch.lap();
+    const ChunkContext context{
+        codes, scale,      shared, *simplifier_, lodOptions(), winding_, sink_,
+        nextSinkId_};
+    std::vector<BuiltChunk> chunks = buildChunks(plan, store, context);
+    report_.chunkSeconds = watch.lap();
+    std::vector<std::uint8_t> turned;
+    const std::vector<BuiltNode> top = buildTop(plan, chunks, context, workers_, turned);
+    BuiltTree tree = joinTree(plan, top, turned, chunks, winding_);
+    tree.objects = source_.objects();
+    tree.inputTriangles = source_.triangleCount();
+    report_.topSeconds = watch.lap();
+    count(tree, chunks);
+    report_.totalSeconds = total.lap();
+    tell("simplify", 1.0);
+    return tree;
+  }
+
+ private:
+  void tell(const char* stage, double share) const {
+    if (progress_) progress_(stage, share);
+  }
+  [[nodiscard]] std::function<void(double)> teller(const char* stage) const {
+    return [this, stage](double share) { tell(stage, share); };
+  }
+  [[nodiscard]] LodOptions lodOptions() const {
+    return {options_.maxTriangles, options_.errorSamples, options_.exactTriangles};
+  }
+
+  std::vector<BuiltChunk> buildChunks(const ChunkPlan& plan, ChunkStore& store,
+                                      const ChunkContext& context) {
+    // The largest first, so that the last ones end together.
+    std::vector<std::uint32_t> order(plan.chunks.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return store.size(a) > store.size(b);
+    });
+    std::vector<BuiltChunk> chunks(order.size());
+    std::atomic<std::uint64_t> done{0};
+    parallelFor(
+        order.size(), threads_,
+        [&](std::size_t i, unsigned worker) {
+          const std::uint32_t chunk = order[i];
+          const std::uint64_t triangles = store.size(chunk);
+          chunks[chunk] = buildChunk(store.take(chunk), chunk, context, workers_[worker]);
+          done += triangles;
+        },
+        [&](std::size_t) {
+          tell("simplify",
+               static_cast<double>(done) / static_cast<double>(source_.triangleCount()));
+        });
+    std::vector<std::uint64_t> edges;
+    for (BuiltChunk& chunk : chunks) {
+      edges.insert(edges.end(), chunk.sharedEdges.begin(), chunk.sharedEdges.end());
+      std::vector<std::uint64_t>().swap(chunk.sharedEdges);
+    }
+    winding_.finish(std::move(edges), context.shared.vertices);
+    return chunks;
+  }
+
+  void count(const BuiltTree& tree, const std::vector<BuiltChunk>& chunks) {
+    report_.nodes = tree.nodes.size();
+    report_.chunks = chunks.size();
+    for (const BuiltNode& node : tree.nodes) {
+      const std::uint32_t triangles = node.indexCount / 3;
+      report_.levels = std::max<std::uint64_t>(report_.levels, node.level + 1);
+      report_.largestNode = std::max<std::uint64_t>(report_.largestNode, triangles);
+      if (node.childCount == 0)
+        ++report_.leaves;
+      else if (triangles > options_.maxTriangles)
+        ++report_.nodesAboveLimit;
+    }
+    for (const BuiltChunk& chunk : chunks) report_.oversizedLeaves += chunk.oversizedLeaves;
+    for (const LodWorker& worker : workers_) {
+      report_.simplifier.add(worker.stats);
+      report_.lockedVertices += worker.lockedVertices;
+      report_.simplifySeconds += worker.simplifySeconds;
+      report_.errorSeconds += worker.errorSeconds;
+    }
+  }
+
+  const TriangleSource& source_;
+  const BuildOptions& options_;
+  NodeSink& sink_;
+  BuildReport& report_;
+  const Progress& progress_;
+  unsigned threads_;
+  std::unique_ptr<Simplifier> simplifier_;
+  std::vector<LodWorker> workers_;
+  WindingCheck winding_;
+  std::atomic<NodeId> nextSinkId_{0};
+};
 
 }  // namespace
 
@@ -158,40 +196,17 @@ std::string canonicalOptions(const BuildOptions& options) {
                      options.simplifier, options.errorSamples);
 }
 
-Hierarchy buildHierarchy(const TriangleMesh& mesh, const BuildOptions& options, BuildReport& report,
-                         const Progress& progress) {
+BuiltTree buildTree(const TriangleSource& source, const BuildOptions& options, NodeSink& sink,
+                    BuildReport& report, const Progress& progress) {
   constexpr std::uint32_t kLeastTriangles = 16;
   if (options.maxTriangles < kLeastTriangles)
     throw InputError(fmt::format("build: max_triangles: expected at least {}, found {}",
                                  kLeastTriangles, options.maxTriangles));
+  if (source.objects().size() > kMaxObjects)
+    throw InputError(fmt::format("build: expected at most {} objects, found {}", kMaxObjects,
+                                 source.objects().size()));
   report = BuildReport();
-  StopWatch total;
-  StopWatch watch;
-  if (progress) progress("weld", 0.0);
-  WeldedMesh welded = computeWeldedMesh(mesh);
-  report.weldSeconds = watch.lap();
-  if (progress) progress("octree", 0.0);
-  const Octree tree = computeOctree(welded, options.maxTriangles);
-  report.octreeSeconds = watch.lap();
-  report.nodes = tree.nodes.size();
-  report.leaves = tree.leaves;
-  report.levels = tree.levels;
-  report.oversizedLeaves = tree.oversizedLeaves;
-  const unsigned threads = resolveThreads(options.threads);
-  std::vector<NodeLod> lods;
-  {
-    LodMaker maker(welded, tree, options, threads);
-    lods = maker.run(progress);
-    maker.addTo(report);
-  }
-  report.levelsSeconds = watch.lap();
-  if (progress) progress("assemble", 0.0);
-  Hierarchy hierarchy = assembleHierarchy(welded, tree, lods, mesh.objectTable, threads);
-  countNodes(hierarchy, options.maxTriangles, report);
-  report.assembleSeconds = watch.lap();
-  report.totalSeconds = total.lap();
-  if (progress) progress("assemble", 1.0);
-  return hierarchy;
+  return TreeBuilder(source, options, sink, report, progress).run();
 }
 
 }  // namespace hlodbench

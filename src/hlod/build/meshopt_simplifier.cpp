@@ -16,19 +16,23 @@ static_assert(sizeof(glm::uvec3) == 12 && sizeof(glm::vec3) == 12);
 // The vertices on an edge that has not exactly one face on either side.
 std::vector<std::uint8_t> computeBorderVertices(const std::vector<glm::uvec3>& triangles,
                                                 std::size_t vertices) {
-  std::vector<std::uint64_t> edges;
-  edges.reserve(triangles.size() * 3);
+  // The ends of the edges that begin at each vertex, one vertex after the other.
+  std::vector<std::uint32_t> next(vertices + 1, 0);
+  for (const glm::uvec3& t : triangles)
+    for (int corner = 0; corner < 3; ++corner) ++next[t[corner] + 1];
+  for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
+  std::vector<std::uint32_t> ends(triangles.size() * 3);
+  for (const glm::uvec3& t : triangles)
+    for (int corner = 0; corner < 3; ++corner) ends[next[t[corner]]++] = t[(corner + 1) % 3];
+  const auto hasEdge = [&](std::uint32_t from, std::uint32_t to) {
+    const auto begin = ends.begin() + (from == 0 ? 0 : next[from - 1]);
+    return std::find(begin, ends.begin() + next[from], to) != ends.begin() + next[from];
+  };
+  std::vector<std::uint8_t> border(vertices, 0);
   for (const glm::uvec3& t : triangles)
     for (int corner = 0; corner < 3; ++corner)
-      edges.push_back(std::uint64_t{t[corner]} << 32 | t[(corner + 1) % 3]);
-  std::sort(edges.begin(), edges.end());
-  std::vector<std::uint8_t> border(vertices, 0);
-  for (const std::uint64_t edge : edges) {
-    const std::uint64_t opposite = edge << 32 | edge >> 32;
-    if (std::binary_search(edges.begin(), edges.end(), opposite)) continue;
-    border[edge >> 32] = 1;
-    border[edge & 0xffffffffu] = 1;
-  }
+      if (!hasEdge(t[(corner + 1) % 3], t[corner]))
+        border[t[corner]] = border[t[(corner + 1) % 3]] = 1;
   return border;
 }
 

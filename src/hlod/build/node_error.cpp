@@ -1,56 +1,22 @@
 #include "hlod/build/node_error.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "hlod/build/node_frame.h"
 #include "hlod/build/surface_distance.h"
+#include "hlod/build/surface_points.h"
 
 namespace hlodbench {
 namespace {
 
-// SplitMix64 (Steele, Lea and Flood 2014).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  // In [0, 1).
-  double next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
-};
-
-struct Corners {
-  glm::dvec3 a, b, c;
-  [[nodiscard]] double area() const { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
-};
-
-Corners cornersOf(const WeldedMesh& mesh, const glm::uvec3& t) {
-  return {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
-}
-
-glm::dvec3 randomPoint(const Corners& t, Random& random) {
-  double u = random.next();
-  double v = random.next();
-  if (u + v > 1.0) {
-    u = 1.0 - u;
-    v = 1.0 - v;
-  }
-  return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
-}
-
-SurfaceDistance computeSurface(const WeldedMesh& mesh, const NodeFrame& frame,
-                               std::span<const glm::uvec3> lod) {
+SurfaceDistance computeSurface(const LodSurface& lod, const NodeFrame& frame) {
   std::vector<glm::vec3> corners;
-  corners.reserve(lod.size() * 3);
-  for (const glm::uvec3& t : lod)
+  corners.reserve(lod.triangles.size() * 3);
+  for (const glm::uvec3& t : lod.triangles)
     for (int corner = 0; corner < 3; ++corner)
-      corners.push_back(frame.toLocal(mesh.positions[t[corner]]));
+      corners.push_back(frame.toLocal(lod.mesh.positions[t[corner]]));
   return SurfaceDistance(corners);
 }
 
@@ -61,46 +27,96 @@ float roundingOf(const Aabb& box) {
   return 4e-7f * std::max({largest.x, largest.y, largest.z});
 }
 
-}  // namespace
+// Measures points and keeps the largest distance. Only the maximum is wanted, so a query may stop
+// as soon as it is known not to raise it.
+class LargestDistance {
+ public:
+  explicit LargestDistance(const LodSurface& lod)
+      : lod_(lod), frame_(lod.box), surface_(computeSurface(lod, frame_)) {
+    const float child = static_cast<float>(lod.childError / frame_.unit());
+    largest_ = start_ = child * child;
+  }
 
-float computeNodeError(const WeldedMesh& mesh, const BorderLocks& locks, const OctreeNode& node,
-                       std::span<const glm::uvec3> lod, std::uint32_t faceSamples,
-                       float childError) {
-  const NodeFrame frame(node.box);
-  const SurfaceDistance surface = computeSurface(mesh, frame, lod);
-  double area = 0.0;
-  for (std::uint32_t i = node.begin; i < node.end; ++i)
-    area += cornersOf(mesh, mesh.triangles[i]).area();
+  [[nodiscard]] glm::vec3 toLocal(const glm::dvec3& point) const { return frame_.toLocal(point); }
 
-  // Only the maximum is wanted, so a query may stop as soon as it is known not to raise it.
-  const float childLocal = static_cast<float>(childError / frame.unit());
-  float largest = childLocal * childLocal;
-  const float start = largest;
-  std::uint32_t hint = 0;
-  const auto measure = [&](const glm::dvec3& point) {
-    largest = std::max(largest, surface.distanceSquared(frame.toLocal(point), largest, hint));
-  };
-  Random random(std::uint64_t{node.begin} << 32 | node.end);
-  const double step = area / std::max(faceSamples, 1u);
-  double passed = 0.0;
-  double nextSample = faceSamples > 0 ? random.next() * step : area;
-  std::uint64_t taken = 0;
-  for (std::uint32_t i = node.begin; i < node.end; ++i) {
-    const glm::uvec3& t = mesh.triangles[i];
-    for (int corner = 0; corner < 3; ++corner)
-      if (locks.firstTriangle(t[corner]) == i) measure(mesh.positions[t[corner]]);
-    const Corners corners = cornersOf(mesh, t);
-    passed += corners.area();
-    // One sample in every equal share of the area, at a random place in it.
-    while (taken < faceSamples && nextSample < passed) {
-      measure(randomPoint(corners, random));
-      ++taken;
-      nextSample = (static_cast<double>(taken) + random.next()) * step;
+  // The triangle of the LOD that is found is the next one's guess.
+  void measure(const glm::vec3& local) {
+    largest_ = std::max(largest_, surface_.distanceSquared(local, largest_, hint_));
+  }
+
+  // Measures a triangle's corners, each once in a node.
+  void measureCorners(const glm::uvec3& t, const glm::vec3 (&local)[3], VertexNotes& notes) {
+    for (int corner = 0; corner < 3; ++corner) {
+      if (notes.has(t[corner])) {
+        hint_ = notes.get(t[corner]);
+        continue;
+      }
+      measure(local[corner]);
+      notes.set(t[corner], hint_);
     }
   }
-  if (largest <= start) return childError;
-  const double measured = std::sqrt(static_cast<double>(largest)) * frame.unit();
-  return std::max(childError, static_cast<float>(measured * (1.0 + 1e-4)) + roundingOf(node.box));
+
+  // Whether one triangle of the LOD, one of those found for its corners, is near enough to the
+  // whole triangle. The corners have been measured.
+  [[nodiscard]] bool isCovered(const glm::uvec3& t, const glm::vec3 (&local)[3],
+                               const VertexNotes& notes) const {
+    const std::uint32_t found[3] = {notes.get(t.x), notes.get(t.y), notes.get(t.z)};
+    for (int guess = 0; guess < 3; ++guess) {
+      bool near = true;
+      for (int corner = 0; corner < 3 && near; ++corner)
+        near = found[corner] == found[guess] ||
+               surface_.distanceSquaredTo(found[guess], local[corner]) <= largest_;
+      if (near) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] float error() const {
+    if (largest_ <= start_) return lod_.childError;
+    const double measured = std::sqrt(static_cast<double>(largest_)) * frame_.unit();
+    return std::max(lod_.childError,
+                    static_cast<float>(measured * (1.0 + 1e-4)) + roundingOf(lod_.box));
+  }
+
+ private:
+  const LodSurface& lod_;
+  NodeFrame frame_;
+  SurfaceDistance surface_;
+  float largest_ = 0.0f;  // squared, in the node's frame
+  float start_ = 0.0f;
+  std::uint32_t hint_ = 0;
+};
+
+}  // namespace
+
+float computeNodeError(const LodSurface& lod, std::span<const glm::uvec3> original,
+                       std::uint32_t faceSamples, VertexNotes& notes) {
+  LargestDistance distance(lod);
+  notes.reset(lod.mesh.positions.size());
+  double area = 0.0;
+  for (const glm::uvec3& t : original) area += cornersOf(lod.mesh, t).area();
+  Random random(original.size() * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(area));
+  const std::uint64_t samples =
+      std::clamp<std::uint64_t>(2 * original.size(), faceSamples / 2, faceSamples);
+  AreaSteps steps(area, samples, random);
+  for (const glm::uvec3& t : original) {
+    const Corners corners = cornersOf(lod.mesh, t);
+    const glm::vec3 local[3] = {distance.toLocal(corners.a), distance.toLocal(corners.b),
+                                distance.toLocal(corners.c)};
+    distance.measureCorners(t, local, notes);
+    const std::uint64_t here = steps.pass(corners.area());
+    if (here == 0 || distance.isCovered(t, local, notes)) continue;
+    for (std::uint64_t i = 0; i < here; ++i)
+      distance.measure(distance.toLocal(randomPoint(corners, random)));
+  }
+  return distance.error();
+}
+
+float computeNodeError(const LodSurface& lod, const SurfaceSamples& original) {
+  LargestDistance distance(lod);
+  for (const glm::vec3& point : original.vertices) distance.measure(distance.toLocal(point));
+  for (const glm::vec3& point : original.facePoints) distance.measure(distance.toLocal(point));
+  return distance.error();
 }
 
 }  // namespace hlodbench

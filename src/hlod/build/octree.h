@@ -1,41 +1,33 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "hlod/build/welded_mesh.h"
+#include "hlod/build/cell_codes.h"
 #include "hlod/core/aabb.h"
 #include "hlod/tree/hierarchy.h"
 
 namespace hlodbench {
 
-// A cell of the octree that holds triangles of its own range, in the order of the sorted mesh.
+// A cell of the octree, with the pieces of its own range: triangles sorted by their codes, or, in
+// the top of a large tree, chunks.
 struct OctreeNode {
-  std::uint32_t begin = 0;  // its subtree's triangles: [begin, end)
+  std::uint32_t begin = 0;  // its subtree's pieces: [begin, end)
   std::uint32_t end = 0;
-  Aabb box;  // tight over the vertices of those triangles, world units
-  NodeId parent = kNoNode;
+  std::uint64_t triangles = 0;  // of the scene in its subtree
+  Aabb box;                     // tight over the vertices of those triangles, world units
   NodeId firstChild = kNoNode;
   std::uint32_t childCount = 0;  // 0, or 2 to 8
   std::uint32_t level = 0;       // 0 for the root; counts nodes, not cell subdivisions
-  [[nodiscard]] std::uint32_t size() const { return end - begin; }
   [[nodiscard]] bool isLeaf() const { return childCount == 0; }
 };
 
-// Nodes in breadth-first order, the root first, children neighbours: as in Hierarchy.
-struct Octree {
-  std::vector<OctreeNode> nodes;
-  std::uint32_t levels = 0;
-  std::uint32_t leaves = 0;
-  std::uint32_t oversizedLeaves = 0;  // over the limit, where centroids (nearly) coincide
-};
-
-// A cell is cut in 8 no more often than this.
-inline constexpr unsigned kMaxOctreeDepth = 20;
-
-// Builds an octree over the triangles' centroids: a cell is cut while it holds more than
-// maxTriangles. Empty octants make no node, and a cell with a single full octant is cut further
-// without making one. Sorts mesh.triangles so that every subtree is a range of them.
-Octree computeOctree(WeldedMesh& mesh, std::uint32_t maxTriangles);
+// Builds an octree over triangles' centroids: a cell is cut while it holds more than maxTriangles.
+// Empty octants make no node, and a cell with a single full octant is cut further without making
+// one. codes: of the triangles, in increasing order. Nodes come in breadth-first order, the root
+// first, children neighbours; their boxes are empty.
+std::vector<OctreeNode> computeOctree(std::span<const std::uint64_t> codes,
+                                      std::uint32_t maxTriangles);
 
 }  // namespace hlodbench

@@ -155,7 +155,7 @@ class OpenMeshSimplifier final : public Simplifier {
       decimater.decimate_to_faces(0, input.targetTriangles + layered.removedFaces());
     std::vector<glm::uvec3> triangles = layered.triangles();
     if (triangles.size() <= input.targetTriangles) return triangles;
-    return collapseFreely(input, std::move(triangles));
+    return collapseFreely(input, std::move(triangles), stats);
   }
 };
 

@@ -17,6 +17,7 @@ void SimplifierStats::add(const SimplifierStats& other) {
   flippedFaces += other.flippedFaces;
   degenerateTriangles += other.degenerateTriangles;
   duplicateTriangles += other.duplicateTriangles;
+  foldedFaces += other.foldedFaces;
   fallbacks += other.fallbacks;
 }
 

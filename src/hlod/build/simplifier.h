@@ -31,6 +31,7 @@ struct SimplifierStats {
   std::uint64_t flippedFaces = 0;         // turned to fit their neighbours, and turned back
   std::uint64_t degenerateTriangles = 0;  // left out: two equal corners
   std::uint64_t duplicateTriangles = 0;   // left out: the same three corners as another
+  std::uint64_t foldedFaces = 0;          // turned over by collapses, where nothing else could go
   std::uint64_t fallbacks = 0;            // nodes handed to the default simplifier
 
   void add(const SimplifierStats& other);

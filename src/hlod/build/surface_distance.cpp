@@ -7,11 +7,14 @@
 namespace hlodbench {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kLeafSize = 2;
 
-float boxDistanceSquared(const Aabb& box, const glm::vec3& p) {
-  const glm::vec3 outside = glm::max(glm::max(box.min - p, p - box.max), glm::vec3(0.0f));
-  return glm::dot(outside, outside);
+// A point is below a box, above it, or neither: at most one of the differences is positive.
+[[gnu::always_inline]] inline float boxDistanceSquared(const Aabb& box, const glm::vec3& p) {
+  const float x = std::max({box.min.x - p.x, p.x - box.max.x, 0.0f});
+  const float y = std::max({box.min.y - p.y, p.y - box.max.y, 0.0f});
+  const float z = std::max({box.min.z - p.z, p.z - box.max.z, 0.0f});
+  return x * x + y * y + z * z;
 }
 
 float segmentDistanceSquared(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
@@ -91,6 +94,11 @@ void SurfaceDistance::build(std::uint32_t begin, std::uint32_t end) {
   build(begin, middle);
   boxes_[self].first = static_cast<std::uint32_t>(boxes_.size());
   build(middle, end);
+}
+
+float SurfaceDistance::distanceSquaredTo(std::uint32_t hint, const glm::vec3& p) const {
+  const Triangle& t = triangles_[hint];
+  return pointTriangleDistanceSquared(p, t.a, t.b, t.c);
 }
 
 float SurfaceDistance::distanceSquared(const glm::vec3& p, float enough,

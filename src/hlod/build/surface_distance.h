@@ -27,6 +27,9 @@ class SurfaceDistance {
   // other should share it. Any value below the number of triangles will do to start with.
   [[nodiscard]] float distanceSquared(const glm::vec3& p, float enough, std::uint32_t& hint) const;
 
+  // The squared distance from p to the triangle that was found as `hint`.
+  [[nodiscard]] float distanceSquaredTo(std::uint32_t hint, const glm::vec3& p) const;
+
  private:
   struct Triangle {
     glm::vec3 a, b, c;

@@ -7,8 +7,9 @@
 
 namespace hlodbench {
 
-// Receives nodes of a hierarchy while they are made, in any order, each once; may be called from
-// several threads.
+// Receives the geometry of nodes while they are made, in any order, each once; may be called from
+// several threads. Ids are numbers from 0 without gaps; which node has which, the maker says in the
+// end, and it may be another in every run.
 class NodeSink {
  public:
   virtual ~NodeSink() = default;
