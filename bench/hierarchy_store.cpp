@@ -51,11 +51,13 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
     const std::unique_ptr<TriangleSource> scene = openScene(
         scenePath,
         [&](const std::string& stage, double share) { line.update(stage, kReading * share); });
+    BuildOptions local = options;
+    local.temporaryFolder = file.parent_path().empty() ? "." : file.parent_path();
     stored.report.emplace();
-    stored.hierarchy = buildHierarchy(*scene, options, *stored.report,
-                                      [&](const std::string& stage, double share) {
-                                        line.update(stage, kReading + (1.0 - kReading) * share);
-                                      });
+    stored.hierarchy =
+        buildHierarchy(*scene, local, *stored.report, [&](const std::string& stage, double share) {
+          line.update(stage, kReading + (1.0 - kReading) * share);
+        });
   }
   stored.info.sceneHash = sceneHash;
   stored.info.options = optionText;
