@@ -2,9 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <string_view>
+
 #include "hlod/core/error.h"
 
 namespace hlodbench {
+
+std::uint64_t parseMemory(const std::string& option, const std::string& text) {
+  constexpr std::string_view kUnits = "KMG";
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  unsigned shift = 0;
+  bool good = error == std::errc{} && number > 0 && end - rest <= 1;
+  if (good && rest != end) {
+    const std::size_t unit = kUnits.find(*rest);
+    good = unit != std::string_view::npos;
+    shift = good ? 10 * (static_cast<unsigned>(unit) + 1) : 0;
+  }
+  if (!good || number > (std::uint64_t{1} << (50 - shift)))
+    throw InputError(fmt::format(
+        "{}: expected a size in bytes, K, M or G, such as 2G, found \"{}\"", option, text));
+  return number << shift;
+}
 
 void addBuildOptions(CLI::App& command, BuildOptions& options) {
   command
@@ -22,11 +43,20 @@ void addBuildOptions(CLI::App& command, BuildOptions& options) {
   command.add_option("--threads", options.threads, "threads for building; 0: one a core")
       ->capture_default_str()
       ->check(CLI::Range(0u, 1024u));
+  command
+      .add_option_function<std::string>(
+          "--memory",
+          [&options](const std::string& text) { options.memory = parseMemory("--memory", text); },
+          "build in about this much memory, in bytes, K, M or G (of 1024), such as 2G; triangles "
+          "then wait in an unnamed temporary file of 40 bytes a triangle in the output's folder; "
+          "default: no limit, no file")
+      ->type_name("SIZE");
 }
 
 void refuseBuildOptions(const CLI::App& command, const std::filesystem::path& scene) {
   if (scene.extension() != ".hlod") return;
-  for (const char* option : {"--max-triangles", "--simplifier", "--error-samples", "--threads"})
+  for (const char* option :
+       {"--max-triangles", "--simplifier", "--error-samples", "--threads", "--memory"})
     if (command.count(option) > 0)
       throw InputError(
           fmt::format("{}: expected a scene or mesh file to build from, found {}, which is built",

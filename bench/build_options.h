@@ -1,13 +1,19 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "hlod/build/hierarchy_builder.h"
 
 namespace hlodbench {
 
-// Adds --max-triangles, --simplifier, --error-samples and --threads.
+// A size in bytes: a number, alone or with K, M or G of 1024. Throws InputError, which names the
+// option.
+std::uint64_t parseMemory(const std::string& option, const std::string& text);
+
+// Adds --max-triangles, --simplifier, --error-samples, --threads and --memory.
 void addBuildOptions(CLI::App& command, BuildOptions& options);
 
 // Throws InputError when one of them was given although `scene` is a hierarchy that is built.

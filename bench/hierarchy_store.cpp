@@ -53,9 +53,11 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
   const std::unique_ptr<TriangleSource> scene = openScene(
       scenePath,
       [&](const std::string& stage, double share) { line.update(stage, kReading * share); });
+  BuildOptions local = options;
+  local.temporaryFolder = file.parent_path().empty() ? "." : file.parent_path();
   stored.report.emplace();
   HlodWriter writer(file);
-  const BuiltTree tree = buildTree(*scene, options, writer, *stored.report,
+  const BuiltTree tree = buildTree(*scene, local, writer, *stored.report,
                                    [&](const std::string& stage, double share) {
                                      line.update(stage, kReading + (1.0 - kReading) * share);
                                    });

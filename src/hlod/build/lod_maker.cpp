@@ -35,7 +35,7 @@ void LodMaker::needSamples(NodeId id) const {
   Lod& lod = lods_[id];
   if (lod.samples) return;
   if (node.triangles <= options_.exactTriangles || node.isLeaf()) {
-    lod.samples = takeSamples(mesh_, originals(node), options_.errorSamples);
+    lod.samples = takeSamples(mesh_, originals(node), options_.errorSamples / 2);
     return;
   }
   std::vector<const SurfaceSamples*> sets;
@@ -43,7 +43,7 @@ void LodMaker::needSamples(NodeId id) const {
     needSamples(child);
     sets.push_back(&*lods_[child].samples);
   }
-  lod.samples = joinSamples(sets, options_.errorSamples);
+  lod.samples = joinSamples(sets, options_.errorSamples / 2);
 }
 
 std::span<const glm::uvec3> LodMaker::triangles(NodeId id) const {

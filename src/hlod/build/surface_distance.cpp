@@ -7,15 +7,7 @@
 namespace hlodbench {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 2;
-
-// A point is below a box, above it, or neither: at most one of the differences is positive.
-[[gnu::always_inline]] inline float boxDistanceSquared(const Aabb& box, const glm::vec3& p) {
-  const float x = std::max({box.min.x - p.x, p.x - box.max.x, 0.0f});
-  const float y = std::max({box.min.y - p.y, p.y - box.max.y, 0.0f});
-  const float z = std::max({box.min.z - p.z, p.z - box.max.z, 0.0f});
-  return x * x + y * y + z * z;
-}
+constexpr float kTiny = 1e-30f;  // keeps divisions by 0 away
 
 float segmentDistanceSquared(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 ab = b - a;
@@ -23,6 +15,41 @@ float segmentDistanceSquared(const glm::vec3& p, const glm::vec3& a, const glm::
   const float t = length > 0.0f ? glm::clamp(glm::dot(p - a, ab) / length, 0.0f, 1.0f) : 0.0f;
   const glm::vec3 d = p - (a + ab * t);
   return glm::dot(d, d);
+}
+
+// Numbers and vectors of four triangles at once.
+typedef float Four __attribute__((vector_size(16)));
+
+inline Four larger(const Four& a, const Four& b) {
+  return a > b ? a : b;
+}
+
+inline Four smaller(const Four& a, const Four& b) {
+  return a < b ? a : b;
+}
+
+struct FourVectors {
+  Four x, y, z;
+};
+
+inline FourVectors operator-(const FourVectors& a, const FourVectors& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+inline Four dot(const FourVectors& a, const FourVectors& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline FourVectors cross(const FourVectors& a, const FourVectors& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// p: from the edge's begin; length: the edge's, squared.
+inline Four toSegment(const FourVectors& p, const FourVectors& edge, const Four& length) {
+  const Four along = dot(p, edge) / larger(length, Four{} + kTiny);
+  const Four s = smaller(larger(along, Four{}), Four{} + 1.0f);
+  const FourVectors d{p.x - s * edge.x, p.y - s * edge.y, p.z - s * edge.z};
+  return dot(d, d);
 }
 
 }  // namespace
@@ -61,39 +88,69 @@ float pointTriangleDistanceSquared(const glm::vec3& p, const glm::vec3& a, const
 }
 
 SurfaceDistance::SurfaceDistance(std::span<const glm::vec3> corners) {
-  triangles_.resize(corners.size() / 3);
-  for (std::size_t i = 0; i < triangles_.size(); ++i)
-    triangles_[i] = {corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]};
-  boxes_.reserve(triangles_.size() + 1);
-  build(0, static_cast<std::uint32_t>(triangles_.size()));
+  std::vector<Centre> centres(corners.size() / 3);
+  for (std::uint32_t i = 0; i < centres.size(); ++i)
+    centres[i] = {corners[3 * i] + corners[3 * i + 1] + corners[3 * i + 2], i};
+  triangles_.reserve(corners.size() * 2);
+  packets_.reserve(corners.size() / 3);
+  boxes_.reserve(corners.size() / 6 + 1);
+  Aabb bounds;
+  root_ = build(centres, corners, bounds);
 }
 
-void SurfaceDistance::build(std::uint32_t begin, std::uint32_t end) {
-  Box box;
-  Aabb centres;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const Triangle& t = triangles_[i];
-    for (const glm::vec3& corner : {t.a, t.b, t.c}) box.bounds.extend(corner);
-    centres.extend(t.a + t.b + t.c);
+std::uint32_t SurfaceDistance::build(std::span<Centre> centres, std::span<const glm::vec3> corners,
+                                     Aabb& bounds) {
+  if (centres.size() <= kLanes) return addPacket(centres, corners, bounds);
+  // Halves, and halves of these.
+  const auto halve = [](std::span<Centre> all) {
+    Aabb box;
+    for (const Centre& centre : all) box.extend(centre.point);
+    const glm::vec3 extent = box.max - box.min;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
+                     : extent.y >= extent.z                       ? 1
+                                                                  : 2;
+    const std::size_t middle = all.size() / 2;
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(middle), all.end(),
+                     [axis](const Centre& l, const Centre& r) {
+                       return l.point[axis] != r.point[axis] ? l.point[axis] < r.point[axis]
+                                                             : l.triangle < r.triangle;
+                     });
+    return std::array{all.first(middle), all.subspan(middle)};
+  };
+  const auto self = static_cast<std::uint32_t>(boxes_.size());
+  boxes_.emplace_back();
+  int lane = 0;
+  for (const std::span<Centre> half : halve(centres)) {
+    for (const std::span<Centre> quarter : halve(half)) {
+      Aabb box;
+      const std::uint32_t child = build(quarter, corners, box);
+      for (int axis = 0; axis < 3; ++axis) {
+        boxes_[self].min[axis][lane] = box.min[axis];
+        boxes_[self].max[axis][lane] = box.max[axis];
+      }
+      boxes_[self].child[lane++] = child;
+      bounds.extend(box);
+    }
   }
-  const std::size_t self = boxes_.size();
-  if (end - begin <= kLeafSize) {
-    box.first = begin;
-    box.count = end - begin;
-    boxes_.push_back(box);
-    return;
+  return self;
+}
+
+std::uint32_t SurfaceDistance::addPacket(std::span<const Centre> centres,
+                                         std::span<const glm::vec3> corners, Aabb& bounds) {
+  Packet packet;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const std::size_t first = 3 * centres[std::min(lane, centres.size() - 1)].triangle;
+    const Triangle t{corners[first], corners[first + 1], corners[first + 2]};
+    for (const glm::vec3& corner : {t.a, t.b, t.c}) bounds.extend(corner);
+    for (int axis = 0; axis < 3; ++axis) {
+      packet.a[axis][lane] = t.a[axis];
+      packet.ab[axis][lane] = t.b[axis] - t.a[axis];
+      packet.ac[axis][lane] = t.c[axis] - t.a[axis];
+    }
+    triangles_.push_back(t);
   }
-  boxes_.push_back(box);
-  const glm::vec3 extent = centres.max - centres.min;
-  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle,
-                   triangles_.begin() + end, [axis](const Triangle& l, const Triangle& r) {
-                     return l.a[axis] + l.b[axis] + l.c[axis] < r.a[axis] + r.b[axis] + r.c[axis];
-                   });
-  build(begin, middle);
-  boxes_[self].first = static_cast<std::uint32_t>(boxes_.size());
-  build(middle, end);
+  packets_.push_back(packet);
+  return static_cast<std::uint32_t>(packets_.size() - 1) | kIsPacket;
 }
 
 float SurfaceDistance::distanceSquaredTo(std::uint32_t hint, const glm::vec3& p) const {
@@ -101,34 +158,75 @@ float SurfaceDistance::distanceSquaredTo(std::uint32_t hint, const glm::vec3& p)
   return pointTriangleDistanceSquared(p, t.a, t.b, t.c);
 }
 
+// Squared distances to the four boxes. A point is below a box, above it or neither: at most one of
+// the differences is positive.
+inline SurfaceDistance::Four SurfaceDistance::boxDistances(const Box& box, const glm::vec3& p) {
+  Four sum{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Four below = box.min[axis] - p[axis];
+    const Four above = p[axis] - box.max[axis];
+    const Four outside = larger(larger(below, above), Four{});
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+// Squared distances to the four triangles, without branches: that to the plane where the point is
+// above the inside, else that to the nearest edge. Thin triangles have no inside: their plane is
+// not well known.
+inline SurfaceDistance::Four SurfaceDistance::packetDistances(const Packet& t, const glm::vec3& p) {
+  const FourVectors ab{t.ab[0], t.ab[1], t.ab[2]};
+  const FourVectors ac{t.ac[0], t.ac[1], t.ac[2]};
+  const FourVectors ap{p.x - t.a[0], p.y - t.a[1], p.z - t.a[2]};
+  const FourVectors normal = cross(ab, ac);
+  const Four n2 = dot(normal, normal);
+  const Four ab2 = dot(ab, ab);
+  const Four ac2 = dot(ac, ac);
+  const Four v = dot(cross(ap, ac), normal);
+  const Four w = dot(cross(ab, ap), normal);
+  const Four height = dot(ap, normal);
+  const FourVectors bc = ac - ab;
+  const Four toEdge = smaller(smaller(toSegment(ap, ab, ab2), toSegment(ap, ac, ac2)),
+                              toSegment(ap - ab, bc, dot(bc, bc)));
+  const Four toPlane = height * height / larger(n2, Four{} + kTiny);
+  const auto inside = (v >= 0.0f) & (w >= 0.0f) & (v + w <= n2) & (n2 > 1e-10f * ab2 * ac2);
+  return inside ? toPlane : toEdge;
+}
+
 float SurfaceDistance::distanceSquared(const glm::vec3& p, float enough,
                                        std::uint32_t& hint) const {
-  const Triangle& start = triangles_[hint];
-  float best = pointTriangleDistanceSquared(p, start.a, start.b, start.c);
+  float best = distanceSquaredTo(hint, p);
   struct Entry {
-    std::uint32_t box;
+    std::uint32_t child;
     float distance;
   };
-  std::array<Entry, 64> stack;  // the tree is balanced: 2^32 triangles make 32 levels
+  std::array<Entry, 64> stack;  // the tree is balanced: 2^32 triangles make 16 levels
   std::size_t size = 0;
-  stack[size++] = {0, boxDistanceSquared(boxes_[0].bounds, p)};
+  stack[size++] = {root_, 0.0f};
   while (size > 0 && best > enough) {
     const Entry entry = stack[--size];
     if (entry.distance >= best) continue;
-    const Box& box = boxes_[entry.box];
-    for (std::uint32_t i = box.first; i < box.first + box.count; ++i) {
-      const Triangle& t = triangles_[i];
-      const float d = pointTriangleDistanceSquared(p, t.a, t.b, t.c);
-      if (d >= best) continue;
-      best = d;
-      hint = i;
+    Four distances;
+    if ((entry.child & kIsPacket) != 0) {
+      const std::uint32_t packet = entry.child & ~kIsPacket;
+      distances = packetDistances(packets_[packet], p);
+      for (int lane = 0; lane < kLanes; ++lane) {
+        if (distances[lane] >= best) continue;
+        best = distances[lane];
+        hint = kLanes * packet + static_cast<std::uint32_t>(lane);
+      }
+      continue;
     }
-    if (box.count > 0) continue;
-    Entry near{entry.box + 1, boxDistanceSquared(boxes_[entry.box + 1].bounds, p)};
-    Entry far{box.first, boxDistanceSquared(boxes_[box.first].bounds, p)};
-    if (far.distance < near.distance) std::swap(near, far);
-    if (far.distance < best) stack[size++] = far;
-    if (near.distance < best) stack[size++] = near;
+    distances = boxDistances(boxes_[entry.child], p);
+    // The nearest goes on top.
+    const std::size_t first = size;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (distances[lane] >= best) continue;
+      std::size_t at = size++;
+      for (; at > first && stack[at - 1].distance < distances[lane]; --at)
+        stack[at] = stack[at - 1];
+      stack[at] = {boxes_[entry.child].child[lane], distances[lane]};
+    }
   }
   return best;
 }
