@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "choice.h"
 #include "hlod/core/error.h"
 
 namespace hlodbench {
@@ -40,6 +41,16 @@ void addBuildOptions(CLI::App& command, BuildOptions& options) {
                   "face points a node from which its error is measured, besides its vertices")
       ->capture_default_str()
       ->check(CLI::Range(100u, 10'000'000u));
+  addChoice<ErrorMeasure>(command, "--error", options.error,
+                          {{"max", ErrorMeasure::kLargest}, {"rms", ErrorMeasure::kRms}},
+                          "what a node's error is, of the distances from the original surface to "
+                          "its mesh: the largest, "
+                          "or the root mean square (pixels of --tau mean the same)");
+  addChoice<LodNormals>(
+      command, "--normals", options.normals,
+      {{"original", LodNormals::kOriginal}, {"smoothed", LodNormals::kSmoothed}},
+      "normals of simplified nodes: those of the original surface at their vertices, or of their "
+      "own faces");
   command.add_option("--threads", options.threads, "threads for building; 0: one a core")
       ->capture_default_str()
       ->check(CLI::Range(0u, 1024u));
@@ -55,8 +66,8 @@ void addBuildOptions(CLI::App& command, BuildOptions& options) {
 
 void refuseBuildOptions(const CLI::App& command, const std::filesystem::path& scene) {
   if (scene.extension() != ".hlod") return;
-  for (const char* option :
-       {"--max-triangles", "--simplifier", "--error-samples", "--threads", "--memory"})
+  for (const char* option : {"--max-triangles", "--simplifier", "--error-samples", "--error",
+                             "--normals", "--threads", "--memory"})
     if (command.count(option) > 0)
       throw InputError(
           fmt::format("{}: expected a scene or mesh file to build from, found {}, which is built",

@@ -13,7 +13,7 @@ namespace hlodbench {
 // option.
 std::uint64_t parseMemory(const std::string& option, const std::string& text);
 
-// Adds --max-triangles, --simplifier, --error-samples, --threads and --memory.
+// Adds --max-triangles, --simplifier, --error-samples, --error, --normals, --threads and --memory.
 void addBuildOptions(CLI::App& command, BuildOptions& options);
 
 // Throws InputError when one of them was given although `scene` is a hierarchy that is built.

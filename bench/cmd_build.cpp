@@ -5,6 +5,7 @@
 #include "build_options.h"
 #include "commands.h"
 #include "hierarchy_store.h"
+#include "preset.h"
 
 namespace hlodbench {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 struct BuildCommand {
   std::filesystem::path scene, output;
   BuildOptions options;
+  Preset preset = Preset::kPaper;
 };
 
 void printReport(const BuildReport& r) {
@@ -48,8 +50,12 @@ void addBuildCommand(CLI::App& app) {
   sub->add_option("scene", command->scene, "scene file (.json) or mesh (.ply, .obj, .off, .stl)")
       ->required();
   sub->add_option("-o,--output", command->output, "hierarchy to write (.hlod)")->required();
+  addPresetOption(*sub, command->preset);
   addBuildOptions(*sub, command->options);
-  sub->callback([command] { build(*command); });
+  sub->callback([command, sub] {
+    applyPreset(command->preset, *sub, command->options);
+    build(*command);
+  });
 }
 
 }  // namespace hlodbench

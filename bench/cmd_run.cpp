@@ -108,9 +108,20 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->add_option("--cache", o->cache, "folder of hierarchies built from a scene file")
       ->capture_default_str();
   sub->add_flag("--gl-debug", o->glDebug, "stop at every OpenGL error (on in debug builds)");
+  addPresetOption(*sub, o->preset);
+  addChoice<FaceCulling>(
+      *sub, "--faces", o->faces,
+      {{"both", FaceCulling::kNone}, {"front", FaceCulling::kBackWhereConsistent}},
+      "faces drawn; front: back faces are left out where the input is consistently wound (the "
+      "full-resolution pictures always have both)");
   addBuildOptions(*sub, o->build);
   sub->callback([o, arguments, sub] {
     refuseBuildOptions(*sub, o->scene);
+    applyPreset(o->preset, *sub, o->build);
+    if (o->preset == Preset::kBest) {
+      if (sub->count("--tau") == 0) o->traversal.tau = kBestTau;
+      if (sub->count("--faces") == 0) o->faces = FaceCulling::kBackWhereConsistent;
+    }
     if (!run(*o, arguments)) throw CLI::RuntimeError(static_cast<int>(ExitCode::kCheckFailed));
   });
 }

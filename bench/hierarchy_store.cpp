@@ -57,10 +57,10 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
   local.temporaryFolder = file.parent_path().empty() ? "." : file.parent_path();
   stored.report.emplace();
   HlodWriter writer(file);
-  const BuiltTree tree = buildTree(*scene, local, writer, *stored.report,
-                                   [&](const std::string& stage, double share) {
-                                     line.update(stage, kReading + (1.0 - kReading) * share);
-                                   });
+  const BuiltTree tree =
+      buildTree(*scene, local, writer, *stored.report, [&](const std::string& stage, double share) {
+        line.update(stage, kReading + (1.0 - kReading) * share);
+      });
   Hierarchy hierarchy = makeHierarchy(tree);
   writer.finish(hierarchy, stored.info, sinkIds(tree));
   // from now on the file's geometry serves, and memory is free for other things

@@ -38,7 +38,10 @@ class PicturePass {
   void drawFrame(int frame, const std::vector<StrategyFronts>& strategies) {
     const Camera camera = makeCamera(session_.lens, session_.poses[frame]);
     const std::vector<NodeId> leaves = listLeavesInside(hierarchy_, Frustum(camera));
+    // the picture to compare with has both faces, so that what culling loses shows
+    const FaceCulling culling = renderer_.setFaceCulling(FaceCulling::kNone);
     const View full = drawView(camera, [&] { renderer_.drawNodes(leaves); });
+    renderer_.setFaceCulling(culling);
     const DepthImage depth = renderer_.readDepth();
     const FullPicture& entry = result_.full.emplace_back(
         FullPicture{frame, write("full", frame, "", full.color), countCoveredPixels(full.objects)});

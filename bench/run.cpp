@@ -145,7 +145,8 @@ class Runner {
     announce(*context_);
     const auto start = std::chrono::steady_clock::now();
     renderer_ =
-        std::make_unique<Renderer>(stored_.hierarchy, session_.lens.width, session_.lens.height);
+        std::make_unique<Renderer>(stored_.hierarchy, session_.lens.width, session_.lens.height,
+                                   RendererOptions{.culling = options_.faces});
     glFinish();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     fmt::print(stderr, "  geometry: {:.0f} MiB, checked and uploaded in {:.2f} s\n",

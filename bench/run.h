@@ -10,6 +10,7 @@
 #include "image_selection.h"
 #include "latency.h"
 #include "picture_pass.h"
+#include "preset.h"
 #include "replay.h"
 #include "traversals/options.h"
 
@@ -24,6 +25,8 @@ struct RunOptions {
   std::string context = "auto";
   bool glDebug = false;
   std::string size;  // "WxH", empty: the session's viewport
+  Preset preset = Preset::kPaper;
+  FaceCulling faces = FaceCulling::kNone;
   TraversalOptions traversal;
   std::string latency = "gl";
   std::filesystem::path trace;

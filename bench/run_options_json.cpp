@@ -9,6 +9,7 @@ nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
       {"repetitions", options.repetitions},
       {"context", options.context},
       {"viewport", {lens.width, lens.height}},
+      {"faces", options.faces == FaceCulling::kNone ? "both" : "front"},
       {"tau", t.tau},
       {"s", t.bias.s},
       {"t", t.bias.t},

@@ -25,7 +25,7 @@ struct TableRow {
   std::optional<double> delayedShare;  // D over DN
   // per node taken from the priority queue, microseconds; see Counter::kTraversalMs, kQueryMs
   std::optional<double> traversalUsPerVisit, queryUsPerVisit;
-  std::optional<Speedup> speedup;      // of Coh(B) over this strategy
+  std::optional<Speedup> speedup;  // of Coh(B) over this strategy
 };
 
 // One result folder.

@@ -101,8 +101,7 @@ std::string computeStageLine(const TableBlock& block) {
     if (row.traversalUsPerVisit && row.queryUsPerVisit)
       line += fmt::format("{}{} {:.2f} + {:.2f}", line.empty() ? "" : ", ", row.label,
                           *row.traversalUsPerVisit, *row.queryUsPerVisit);
-  return line.empty() ? line
-                      : "microseconds a visited node, traversal + query handling: " + line;
+  return line.empty() ? line : "microseconds a visited node, traversal + query handling: " + line;
 }
 
 std::string computeMachineLine(const TableBlock& block) {

@@ -95,7 +95,8 @@ void keepRoot(const WeldedMesh& mesh, std::span<const glm::uvec3> triangles, std
 }  // namespace
 
 void sendGeometry(const WeldedMesh& mesh, std::span<const glm::uvec3> triangles,
-                  const ChunkContext& context, LodWorker& worker, BuiltNode& node) {
+                  const OctreeNode& cell, const ChunkContext& context, LodWorker& worker,
+                  BuiltNode& node) {
   worker.local.reset();
   std::vector<std::uint32_t>& indices = worker.indices;
   indices.clear();
@@ -104,8 +105,13 @@ void sendGeometry(const WeldedMesh& mesh, std::span<const glm::uvec3> triangles,
   std::vector<Vertex>& vertices = worker.vertices;
   vertices.clear();
   for (const std::uint32_t v : worker.local.vertices())
-    vertices.push_back(
-        packVertex(mesh.positions[v], mesh.normals[v], mesh.objects[v]));
+    vertices.push_back(packVertex(mesh.positions[v], mesh.normals[v], mesh.objects[v]));
+  if (!cell.isLeaf() && context.options.normals == LodNormals::kSmoothed) {
+    const std::vector<glm::vec3> normals =
+        computeSmoothedNormals(mesh, triangles, cell, worker.local);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      vertices[i] = packVertex(vertices[i].position, normals[i], vertices[i].object);
+  }
   node.vertexCount = static_cast<std::uint32_t>(vertices.size());
   node.indexCount = static_cast<std::uint32_t>(indices.size());
   context.sink.addGeometry(node.sinkId, vertices, indices);
@@ -146,7 +152,7 @@ BuiltChunk buildChunk(std::vector<SceneTriangle> triangles, std::uint32_t chunk,
     node.childCount = tree[id].childCount;
     node.sinkId = firstSinkId + id;
     out.turned[id] = lods[id].turned ? 1 : 0;
-    sendGeometry(mesh, maker.triangles(id), context, worker, node);
+    sendGeometry(mesh, maker.triangles(id), tree[id], context, worker, node);
   }
   if (context.shared.ofChunk.size() > 1) {
     maker.needSamples(kRoot);

@@ -42,7 +42,9 @@ BuiltChunk buildChunk(std::vector<SceneTriangle> triangles, std::uint32_t chunk,
                       const ChunkContext& context, LodWorker& worker);
 
 // Hands a node's LOD to the sink, its vertices in the order of first use, and notes their numbers.
+// cell: the node where the mesh's tree has it.
 void sendGeometry(const WeldedMesh& mesh, std::span<const glm::uvec3> triangles,
-                  const ChunkContext& context, LodWorker& worker, BuiltNode& node);
+                  const OctreeNode& cell, const ChunkContext& context, LodWorker& worker,
+                  BuiltNode& node);
 
 }  // namespace hlodbench

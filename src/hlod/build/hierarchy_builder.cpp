@@ -97,9 +97,8 @@ class TreeBuilder {
     const double scale = normalScale(box);
     const SharedVertices shared = findSharedVertices(store, boxes, scale, threads_);
     report_.sharedSeconds = watch.lap();
-    const ChunkContext context{
-        codes, scale,      shared, *simplifier_, lodOptions(), winding_, sink_,
-        nextSinkId_};
+    const ChunkContext context{codes,        scale,    shared, *simplifier_,
+                               lodOptions(), winding_, sink_,  nextSinkId_};
     std::vector<BuiltChunk> chunks = buildChunks(plan, store, context);
     report_.chunkSeconds = watch.lap();
     std::vector<std::uint8_t> turned;
@@ -122,7 +121,8 @@ class TreeBuilder {
     return [this, stage](double share) { tell(stage, share); };
   }
   [[nodiscard]] LodOptions lodOptions() const {
-    return {options_.maxTriangles, options_.errorSamples, options_.exactTriangles};
+    return {options_.maxTriangles, options_.errorSamples, options_.exactTriangles, options_.error,
+            options_.normals};
   }
 
   std::vector<BuiltChunk> buildChunks(const ChunkPlan& plan, ChunkStore& store,
@@ -192,8 +192,10 @@ class TreeBuilder {
 }  // namespace
 
 std::string canonicalOptions(const BuildOptions& options) {
-  return fmt::format("max_triangles={} simplifier={} error_samples={}", options.maxTriangles,
-                     options.simplifier, options.errorSamples);
+  return fmt::format("max_triangles={} simplifier={} error_samples={} error={} normals={}",
+                     options.maxTriangles, options.simplifier, options.errorSamples,
+                     options.error == ErrorMeasure::kRms ? "rms" : "max",
+                     options.normals == LodNormals::kSmoothed ? "smoothed" : "original");
 }
 
 BuiltTree buildTree(const TriangleSource& source, const BuildOptions& options, NodeSink& sink,

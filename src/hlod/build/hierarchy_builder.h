@@ -5,6 +5,8 @@
 #include <string>
 
 #include "hlod/build/built_tree.h"
+#include "hlod/build/lod_normals.h"
+#include "hlod/build/node_error.h"
 #include "hlod/build/simplifier.h"
 #include "hlod/core/progress.h"
 #include "hlod/scene/triangle_source.h"
@@ -18,6 +20,8 @@ struct BuildOptions {
   std::string simplifier{kDefaultSimplifier};
   unsigned threads = 0;                // 0 = one a core; does not change the result
   std::uint32_t errorSamples = 16384;  // points a node, see computeNodeError()
+  ErrorMeasure error = ErrorMeasure::kLargest;
+  LodNormals normals = LodNormals::kOriginal;
 
   // How the work is cut up; does not change the result either. Bytes that building may take, about;
   // 0: no limit. Under a limit, triangles wait in a temporary file in `temporaryFolder`.
@@ -31,7 +35,7 @@ struct BuildOptions {
 };
 
 // The options that decide the result, as one line: "max_triangles=2000 simplifier=openmesh
-// error_samples=16384".
+// error_samples=16384 error=max normals=original".
 std::string canonicalOptions(const BuildOptions& options);
 
 // What came of it, and what had to be done. Counts over interior nodes add up over the nodes.
@@ -57,8 +61,8 @@ struct BuildReport {
 // Builds the hierarchy of a scene: an octree by triangle centroids whose leaves hold the original
 // triangles, and interior nodes whose LODs are made bottom-up from their children's (HLOD: Erikson,
 // Manocha and Baxter 2001). LOD vertices are original vertices, and those that a node shares with
-// the outside stay, so any front of the tree is free of cracks. Node::error bounds the distance
-// from the original surface to the node's LOD, not the reverse (see computeNodeError()).
+// the outside stay, so any front of the tree is free of cracks. Node::error is of the distance from
+// the original surface to the node's LOD, not the reverse: a bound of it, or its root mean square.
 // The scene is cut into chunks, nodes of the tree that are built one by one, several at a time; a
 // node's geometry goes to the sink as soon as it is made. Equal triangles, in whatever order, and
 // equal options make equal nodes, whatever the number of threads and the memory.

@@ -16,7 +16,10 @@ void LodMaker::make(NodeId id, LodWorker& worker) const {
   LodSurface surface{mesh_, lod.triangles, node.box, 0.0f};
   for (NodeId child = node.firstChild; child < node.firstChild + node.childCount; ++child)
     surface.childError = std::max(surface.childError, lods_[child].error);
-  if (node.triangles <= options_.exactTriangles) {
+  if (options_.error == ErrorMeasure::kRms) {
+    needSamples(id);
+    lod.error = computeRmsError(surface, *lod.samples);
+  } else if (node.triangles <= options_.exactTriangles) {
     lod.error = computeNodeError(surface, originals(node), options_.errorSamples, worker.notes);
   } else {
     needSamples(id);

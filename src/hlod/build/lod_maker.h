@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hlod/build/local_index.h"
+#include "hlod/build/lod_normals.h"
 #include "hlod/build/node_error.h"
 #include "hlod/build/octree.h"
 #include "hlod/build/simplifier.h"
@@ -28,6 +29,8 @@ struct LodOptions {
   std::uint32_t maxTriangles;    // what they aim at
   std::uint32_t errorSamples;    // see computeNodeError()
   std::uint64_t exactTriangles;  // errors of nodes of more triangles are measured from samples
+  ErrorMeasure error;
+  LodNormals normals;
 };
 
 // What one thread counts, and the memory it keeps between nodes.

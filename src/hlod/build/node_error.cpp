@@ -119,4 +119,16 @@ float computeNodeError(const LodSurface& lod, const SurfaceSamples& original) {
   return distance.error();
 }
 
+float computeRmsError(const LodSurface& lod, const SurfaceSamples& original) {
+  if (original.facePoints.empty()) return lod.childError;
+  const NodeFrame frame(lod.box);
+  const SurfaceDistance surface = computeSurface(lod, frame);
+  std::uint32_t hint = 0;
+  double sum = 0.0;
+  for (const glm::vec3& point : original.facePoints)
+    sum += surface.distanceSquared(frame.toLocal(point), 0.0f, hint);
+  const double mean = sum / static_cast<double>(original.facePoints.size());
+  return std::max(lod.childError, static_cast<float>(std::sqrt(mean) * frame.unit()));
+}
+
 }  // namespace hlodbench

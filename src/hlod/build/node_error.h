@@ -10,6 +10,12 @@
 
 namespace hlodbench {
 
+// What stands for a node's distances from the original surface.
+enum class ErrorMeasure {
+  kLargest,  // computeNodeError(): a bound
+  kRms       // computeRmsError(): what a picture shows of it
+};
+
 // The LOD whose error is wanted.
 struct LodSurface {
   const WeldedMesh& mesh;
@@ -58,5 +64,9 @@ float computeNodeError(const LodSurface& lod, std::span<const glm::uvec3> origin
 // and one of the original vertices; of either at most about 1 in as many as the sample has may lie
 // further away.
 float computeNodeError(const LodSurface& lod, const SurfaceSamples& original);
+
+// The root of the mean squared distance (world units, >= childError) from the original surface of a
+// node to its LOD, over a sample of points of the original faces.
+float computeRmsError(const LodSurface& lod, const SurfaceSamples& original);
 
 }  // namespace hlodbench

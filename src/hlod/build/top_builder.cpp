@@ -86,7 +86,7 @@ std::vector<BuiltNode> buildTop(const ChunkPlan& plan, std::vector<BuiltChunk>& 
                   node.childCount = tree[id].childCount;
                   node.sinkId = context.nextSinkId.fetch_add(1);
                   turned[id] = lods[id].turned ? 1 : 0;
-                  sendGeometry(mesh, maker.triangles(id), context, workers[worker], node);
+                  sendGeometry(mesh, maker.triangles(id), tree[id], context, workers[worker], node);
                 });
   }
   return out;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "hlod/render/framebuffer.h"
@@ -39,6 +40,10 @@ class Renderer {
 
   // Clears the framebuffer and sets the camera, whose viewport must be the framebuffer's size.
   void beginFrame(const Camera& camera, Shading shading = Shading::kLit);
+  // Of the nodes drawn next; at first that of the options. Returns what it was.
+  FaceCulling setFaceCulling(FaceCulling culling) {
+    return std::exchange(options_.culling, culling);
+  }
   // The colour of the nodes drawn next, linear RGB, 0 to 1; seen in Shading::kTinted only.
   void setTint(const glm::vec3& color);
   // Draws the node's LOD.
