@@ -7,6 +7,7 @@
 #include "hlod/core/error.h"
 #include "hlod/scene/scene_file.h"
 #include "hlod/scene/scene_source.h"
+#include "interrupt.h"
 #include "progress_line.h"
 
 namespace hlodbench {
@@ -56,6 +57,8 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
     stored.report.emplace();
     stored.hierarchy =
         buildHierarchy(*scene, local, *stored.report, [&](const std::string& stage, double share) {
+          if (isInterrupted())
+            throw InputError(fmt::format("{}: not built: interrupted", file.string()));
           line.update(stage, kReading + (1.0 - kReading) * share);
         });
   }
