@@ -5,6 +5,7 @@
 #include "build_options.h"
 #include "commands.h"
 #include "hierarchy_store.h"
+#include "interrupt.h"
 #include "preset.h"
 
 namespace hlodbench {
@@ -32,6 +33,7 @@ void printReport(const BuildReport& r) {
 }
 
 void build(const BuildCommand& command) {
+  catchInterrupts();
   const StoredHierarchy stored = buildOrReuse(command.scene, command.output, command.options);
   if (stored.report) {
     printReport(*stored.report);

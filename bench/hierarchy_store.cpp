@@ -7,7 +7,9 @@
 #include "hlod/core/error.h"
 #include "hlod/scene/scene_file.h"
 #include "hlod/scene/scene_source.h"
+#include "hlod/tree/hasher.h"
 #include "hlod/tree/hlod_writer.h"
+#include "interrupt.h"
 #include "progress_line.h"
 
 namespace hlodbench {
@@ -17,6 +19,15 @@ namespace {
 std::string nameOf(const std::filesystem::path& path) {
   std::string name = path.filename().string();
   return name.substr(0, name.find('.', 1));
+}
+
+// Hierarchies built with other options than the defaults have names of their own, so that going to
+// and fro between two sets builds each once.
+std::string cacheNameOf(const std::filesystem::path& scene, const BuildOptions& options) {
+  const std::string text = canonicalOptions(options);
+  if (text == canonicalOptions(BuildOptions())) return nameOf(scene) + ".hlod";
+  return fmt::format("{}.{:08x}.hlod", nameOf(scene),
+                     computeHash(std::as_bytes(std::span(text))) & 0xffffffffu);
 }
 
 bool isUpToDate(const std::filesystem::path& file, std::uint64_t sceneHash,
@@ -59,6 +70,8 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
   HlodWriter writer(file);
   const BuiltTree tree =
       buildTree(*scene, local, writer, *stored.report, [&](const std::string& stage, double share) {
+        if (isInterrupted())
+          throw InputError(fmt::format("{}: not built: interrupted", file.string()));
         line.update(stage, kReading + (1.0 - kReading) * share);
       });
   Hierarchy hierarchy = makeHierarchy(tree);
@@ -72,7 +85,7 @@ StoredHierarchy openHierarchy(const std::filesystem::path& path,
                               const std::filesystem::path& cacheFolder,
                               const BuildOptions& options) {
   if (path.extension() != ".hlod")
-    return buildOrReuse(path, cacheFolder / (nameOf(path) + ".hlod"), options);
+    return buildOrReuse(path, cacheFolder / cacheNameOf(path, options), options);
   StoredHierarchy stored;
   stored.sceneName = nameOf(path);
   stored.file = path;

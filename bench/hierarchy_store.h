@@ -26,7 +26,8 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scene, const std::file
                              const BuildOptions& options);
 
 // path: an .hlod file, which is read as it is, or a scene or mesh file, whose hierarchy is kept as
-// NAME.hlod in `cacheFolder`.
+// NAME.hlod in `cacheFolder`, NAME.XXXXXXXX.hlod where it is built with other options than the
+// defaults.
 StoredHierarchy openHierarchy(const std::filesystem::path& path,
                               const std::filesystem::path& cacheFolder,
                               const BuildOptions& options);

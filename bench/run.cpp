@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -14,6 +11,7 @@
 #include "hlod/core/error.h"
 #include "hlod/render/gl_context.h"
 #include "hlod/render/gl_query_source.h"
+#include "hlod/tree/hasher.h"
 #include "interrupt.h"
 #include "metrics/frame_csv.h"
 #include "metrics/result_json.h"
@@ -50,7 +48,7 @@ void applySize(const std::string& size, Lens& lens) {
 }
 
 std::uint64_t hashText(const std::string& text) {
-  return XXH3_64bits(text.data(), text.size());
+  return computeHash(std::as_bytes(std::span(text)));
 }
 
 // trace.jsonl of several strategies: trace.coh-b.jsonl and so on.
