@@ -1,7 +1,6 @@
 #include "run.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <chrono>

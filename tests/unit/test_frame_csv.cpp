@@ -100,7 +100,7 @@ TEST(FrameCsv, WritesTheHeaderAndLeavesAbsentFieldsEmpty) {
   record.warmUp = true;
   record.set(Counter::kDn, 183.0);
   record.set(Counter::kFrameMs, 0.1);
-  EXPECT_EQ(formatFrameCsv({record}), makeHeader() + "3,1,183,,,,,,,0.1,,,\n");
+  EXPECT_EQ(formatFrameCsv({record}), makeHeader() + "3,1,183,,,,,,,0.1,,,,,,\n");
   EXPECT_EQ(formatFrameCsv({}), makeHeader());
 }
 
@@ -123,7 +123,7 @@ TEST(FrameCsv, ReadsBackEveryBitOfWhatItWrote) {
 }
 
 TEST(FrameCsv, DoesNotChangeWithTheLocale) {
-  const std::string expected = makeHeader() + "1234567,0,,,,,,12345678,,1234.5678,,,\n";
+  const std::string expected = makeHeader() + "1234567,0,,,,,,12345678,,1234.5678,,,,,,\n";
   const std::locale before =
       std::locale::global(std::locale(std::locale::classic(), new CommaNumpunct));
   const std::string text = formatFrameCsv({makeAwkwardFrame()});
