@@ -60,6 +60,14 @@ class LargestDistance {
     }
   }
 
+  // Measures a point of a triangle whose corners have been measured: what was found for these
+  // mostly is near enough.
+  void measureInside(const glm::uvec3& t, const glm::vec3& local, const VertexNotes& notes) {
+    for (int corner = 0; corner < 3; ++corner)
+      if (surface_.distanceSquaredTo(notes.get(t[corner]), local) <= largest_) return;
+    measure(local);
+  }
+
   // Whether one triangle of the LOD, one of those found for its corners, is near enough to the
   // whole triangle. The corners have been measured.
   [[nodiscard]] bool isCovered(const glm::uvec3& t, const glm::vec3 (&local)[3],
@@ -113,7 +121,7 @@ float computeNodeError(const LodSurface& lod, std::span<const glm::uvec3> origin
     const std::uint64_t here = steps.pass(corners.area());
     if (here == 0 || distance.isCovered(t, local, notes)) continue;
     for (std::uint64_t i = 0; i < here; ++i)
-      distance.measure(distance.toLocal(randomPoint(corners, random)));
+      distance.measureInside(t, distance.toLocal(randomPoint(corners, random)), notes);
   }
   return distance.error();
 }
