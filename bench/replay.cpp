@@ -27,6 +27,16 @@ void storeGpuTime(GpuTimer& timer, std::vector<FrameRecord>& records, bool drain
     records[reading->frame].set(Counter::kGpuMs, reading->milliseconds);
 }
 
+// Where everything is there, these counters are absent.
+void storeResidency(const Renderer& renderer, FrameRecord& record) {
+  if (!renderer.isLimited()) return;
+  const ResidencyCounters& counters = renderer.residency();
+  record.set(Counter::kMissingNodes, static_cast<double>(counters.missingNodes));
+  record.set(Counter::kLoads, static_cast<double>(counters.loads));
+  record.set(Counter::kEvictions, static_cast<double>(counters.evictions));
+  record.set(Counter::kResidentMib, static_cast<double>(counters.residentBytes) / (1 << 20));
+}
+
 }  // namespace
 
 std::vector<FrameRecord> replaySession(const Session& session, Strategy& strategy,
@@ -52,6 +62,7 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     queries.beginFrame();
     renderer.beginFrame(camera);
     strategy.renderFrame(camera, services, record, isTraced ? &trace : nullptr);
+    storeResidency(renderer, record);
     timer.endFrame();
     record.set(Counter::kCpuMs, readThreadCpuMs() - cpuStart);
     record.set(Counter::kWaitMs, services.takeWaitMs());
