@@ -2,31 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <string_view>
-
+#include "byte_size.h"
 #include "choice.h"
 #include "hlod/core/error.h"
 
 namespace hlodbench {
-
-std::uint64_t parseMemory(const std::string& option, const std::string& text) {
-  constexpr std::string_view kUnits = "KMG";
-  std::uint64_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  unsigned shift = 0;
-  bool good = error == std::errc{} && number > 0 && end - rest <= 1;
-  if (good && rest != end) {
-    const std::size_t unit = kUnits.find(*rest);
-    good = unit != std::string_view::npos;
-    shift = good ? 10 * (static_cast<unsigned>(unit) + 1) : 0;
-  }
-  if (!good || number > (std::uint64_t{1} << (50 - shift)))
-    throw InputError(fmt::format(
-        "{}: expected a size in bytes, K, M or G, such as 2G, found \"{}\"", option, text));
-  return number << shift;
-}
 
 void addBuildOptions(CLI::App& command, BuildOptions& options) {
   command
@@ -57,7 +37,13 @@ void addBuildOptions(CLI::App& command, BuildOptions& options) {
   command
       .add_option_function<std::string>(
           "--memory",
-          [&options](const std::string& text) { options.memory = parseMemory("--memory", text); },
+          [&options](const std::string& text) {
+            const auto bytes = parseByteSize(text);
+            if (!bytes)
+              throw InputError(fmt::format(
+                  "--memory: expected a size in bytes, K, M or G, such as 2G, found \"{}\"", text));
+            options.memory = *bytes;
+          },
           "build in about this much memory, in bytes, K, M or G (of 1024), such as 2G; triangles "
           "then wait in an unnamed temporary file of 40 bytes a triangle in the output's folder; "
           "default: no limit, no file")

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "build_options.h"
+#include "byte_size.h"
 #include "choice.h"
 #include "commands.h"
 #include "hierarchy_store.h"
@@ -83,6 +84,24 @@ void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
       ->check(makeNumberRange(0.0, kLargestSeed));
 }
 
+void addMemoryOption(CLI::App& sub, RunOptions& o) {
+  sub.add_option_function<std::string>(
+         "--gpu-memory",
+         [&o](const std::string& text) {
+           const auto bytes = parseByteSize(text);
+           if (!bytes && text != "unlimited")
+             throw InputError(fmt::format(
+                 "--gpu-memory: expected a number of bytes like 256M, or unlimited, found '{}'",
+                 text));
+           o.gpuMemory = bytes.value_or(kUnlimitedMemory);
+         },
+         "for the geometry of nodes, bytes, with K, M or G: nodes come from the file when they are "
+         "wanted, and those not drawn for the longest time go; until they are there, an ancestor "
+         "is "
+         "drawn")
+      ->default_str("unlimited");
+}
+
 }  // namespace
 
 void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
@@ -97,6 +116,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->add_option("--strategy", o->strategies, "strategies, see `hlodbench list`; comma-separated")
       ->delimiter(',')
       ->capture_default_str();
+  addMemoryOption(*sub, *o);
   sub->add_option("--context", o->context, "auto, egl or osmesa")->capture_default_str();
   sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");
   addMeasuringOptions(*sub, *o);

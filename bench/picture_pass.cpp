@@ -105,7 +105,7 @@ class PicturePass {
     renderer_.beginFrame(camera, Shading::kTinted);
     for (std::size_t i = 0; i < front.nodes.size(); ++i) {
       renderer_.setTint(tints[i]);
-      renderer_.drawNode(front.nodes[i].node);
+      renderer_.drawNodes({&front.nodes[i].node, 1});
     }
     return renderer_.readColor();
   }

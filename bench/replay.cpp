@@ -34,6 +34,16 @@ void storeGpuTime(GpuTimer& timer, std::vector<FrameRecord>& records, bool drain
     records[reading->frame].set(Counter::kGpuMs, reading->milliseconds);
 }
 
+// Where everything is there, these counters are absent.
+void storeResidency(const Renderer& renderer, FrameRecord& record) {
+  if (!renderer.isLimited()) return;
+  const ResidencyCounters& counters = renderer.residency();
+  record.set(Counter::kMissingNodes, static_cast<double>(counters.missingNodes));
+  record.set(Counter::kLoads, static_cast<double>(counters.loads));
+  record.set(Counter::kEvictions, static_cast<double>(counters.evictions));
+  record.set(Counter::kResidentMib, static_cast<double>(counters.residentBytes) / (1 << 20));
+}
+
 }  // namespace
 
 std::vector<FrameRecord> replaySession(const Session& session, Strategy& strategy,
@@ -61,6 +71,7 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     const auto strategyStart = Clock::now();
     strategy.renderFrame(camera, services, record, isTraced ? &trace : nullptr);
     storeTimes(services.takeTimes(), computeMs(Clock::now() - strategyStart), record);
+    storeResidency(renderer, record);
     timer.endFrame();
     record.set(Counter::kCpuMs, readThreadCpuMs() - cpuStart);
     pacer.endFrame();

@@ -141,14 +141,15 @@ class Runner {
     stored_ = openHierarchy(options_.scene, options_.cache, options_.build);
     announce(*context_);
     const auto start = std::chrono::steady_clock::now();
-    renderer_ =
-        std::make_unique<Renderer>(stored_.hierarchy, session_.lens.width, session_.lens.height,
-                                   RendererOptions{.culling = options_.faces});
+    renderer_ = std::make_unique<Renderer>(
+        stored_.hierarchy, session_.lens.width, session_.lens.height,
+        RendererOptions{.gpuMemory = options_.gpuMemory, .culling = options_.faces});
     glFinish();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    fmt::print(stderr, "  geometry: {:.0f} MiB, checked and uploaded in {:.2f} s\n",
-               static_cast<double>(stored_.hierarchy.geometry.bytes().size()) / (1 << 20),
-               seconds.count());
+    const auto toMiB = [](std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };
+    fmt::print(stderr, "  geometry: {:.0f} MiB, of which {:.0f} checked and uploaded in {:.2f} s\n",
+               toMiB(stored_.hierarchy.geometry.bytes().size()),
+               toMiB(renderer_->residency().residentBytes), seconds.count());
     glQueries_ = std::make_unique<GlQuerySource>(*renderer_, stored_.hierarchy.nodes.size());
     queries_ = wrapQuerySource(*glQueries_, latency_, stored_.hierarchy.nodes.size());
   }

@@ -19,6 +19,8 @@ nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
       {"simp", t.simpEstimate == SimpEstimate::kLastProcessed ? "last" : "mean"},
       {"latency", options.latency},
       {"seed", options.seed},
+      {"gpu_memory", options.gpuMemory == kUnlimitedMemory ? nlohmann::json()
+                                                           : nlohmann::json(options.gpuMemory)},
       {"images", options.images.name()},
       {"overlays", options.pictures.overlays},
       {"traced", !options.trace.empty()},

@@ -17,6 +17,10 @@ COUNTERS = {
     "cpu_ms": ("processor time", "ms", 3),
     "wait_ms": ("waiting for queries", "ms", 3),
     "gpu_ms": ("GPU time", "ms", 3),
+    "missing_nodes": ("nodes not on the GPU, drawn as an ancestor", "", 2),
+    "loads": ("nodes loaded", "", 2),
+    "evictions": ("nodes evicted", "", 2),
+    "resident_mib": ("geometry on the GPU", "MiB", 2),
 }
 OTHER_DIGITS = 3
 NO_COUNTERS = ("frame", "warm_up")

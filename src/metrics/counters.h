@@ -25,13 +25,17 @@ enum class Counter : std::size_t {
   kQueryMs,
   kTraversalMs,
   kGpuMs,
+  kMissingNodes,
+  kLoads,
+  kEvictions,
+  kResidentMib,
   kCount
 };
 
 enum class Better { kLower, kHigher, kNeither };
 enum class Exactness {
   kExact,  // the same in every run with a fixed latency, on one driver
-  kNoisy   // a timing
+  kNoisy   // a timing, or what depends on one
 };
 
 struct CounterInfo {
@@ -42,6 +46,7 @@ struct CounterInfo {
   Better better;
   Exactness exactness;
   std::string_view description;  // one line
+  bool isOptional = false;       // no column in the frame log of a replay that has it in no frame
 };
 
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::kCount);
@@ -75,6 +80,14 @@ inline constexpr std::array<CounterInfo, kCounterCount> kCounterTable{{
      "time of the strategy itself: of its frame less drawing, querying and waiting"},
     {Counter::kGpuMs, "gpu_ms", "GPU", "ms", Better::kLower, Exactness::kNoisy,
      "time between the frame's first and last GPU timestamp, where timer queries exist"},
+    {Counter::kMissingNodes, "missing_nodes", "missing", "", Better::kLower, Exactness::kNoisy,
+     "nodes drawn as an ancestor, because they were not there yet (--gpu-memory)", true},
+    {Counter::kLoads, "loads", "loads", "", Better::kLower, Exactness::kNoisy,
+     "nodes whose geometry came to the GPU (--gpu-memory)", true},
+    {Counter::kEvictions, "evictions", "evictions", "", Better::kLower, Exactness::kNoisy,
+     "nodes whose geometry went to make room (--gpu-memory)", true},
+    {Counter::kResidentMib, "resident_mib", "resident", "MiB", Better::kLower, Exactness::kNoisy,
+     "geometry of nodes on the GPU (--gpu-memory)", true},
 }};
 
 // One frame's values. A counter that a strategy or a driver does not have is absent (NaN), not 0.

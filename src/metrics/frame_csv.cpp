@@ -116,11 +116,17 @@ std::string formatFrameCsv(const std::vector<FrameRecord>& records) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
   fmt::format_to(to, "{},{}", kFrameColumn, kWarmUpColumn);
-  for (const CounterInfo& info : kCounterTable) fmt::format_to(to, ",{}", info.key);
+  std::vector<CounterInfo> columns;
+  for (const CounterInfo& info : kCounterTable)
+    if (!info.isOptional || std::any_of(records.begin(), records.end(), [&](const auto& record) {
+          return record.has(info.counter);
+        }))
+      columns.push_back(info);
+  for (const CounterInfo& info : columns) fmt::format_to(to, ",{}", info.key);
   out.push_back('\n');
   for (const FrameRecord& record : records) {
     fmt::format_to(to, "{},{}", record.frame, record.warmUp ? 1 : 0);
-    for (const CounterInfo& info : kCounterTable) {
+    for (const CounterInfo& info : columns) {
       out.push_back(',');
       if (!record.has(info.counter)) continue;
       const double value = record.get(info.counter);

@@ -243,6 +243,7 @@ OPTIONS = {
             "--simp": ["first"],
             "--max-triangles": ["0", "-5", "100"],  # 100: the scene is built
             "--seed": ["-1"],
+            "--gpu-memory": ["0", "x", "-5M", "1.5G", "256MB", "99999999999G", "1"],
         }.items()
         for value in values
     },

@@ -17,10 +17,10 @@ namespace hlodbench::testing {
 // Replays sessions on one hierarchy. A context must be current as long as it lives.
 class Rig {
  public:
-  Rig(const Hierarchy& hierarchy, const Session& session)
+  Rig(const Hierarchy& hierarchy, const Session& session, const RendererOptions& options = {})
       : hierarchy_(hierarchy),
         session_(session),
-        renderer(hierarchy, session.lens.width, session.lens.height),
+        renderer(hierarchy, session.lens.width, session.lens.height, options),
         glQueries(renderer, hierarchy.nodes.size()) {}
 
   std::vector<FrameRecord> replay(const std::string& strategy, const std::string& latency,

@@ -125,11 +125,14 @@ TEST_F(Faces, OfManyNodesDrawnAtOnceAreThoseOfOneAfterTheOther) {
   FlatHierarchy flat;
   constexpr NodeId kNodes = 60;
   std::vector<NodeId> order;
+  Aabb box;
   for (NodeId i = 0; i < kNodes; ++i) {
-    Aabb box = makeRandomBox(random);
-    // some in the same place: the last one drawn is on top
-    if (i % 3 == 2) box = flat.hierarchy.node(i - 1).box;
-    flat.addBox(box, {random() % 256, random() % 256, random() % 256, 255});
+    // open, so that faces of both sides are seen; some in the same place: the last one is on top
+    if (i % 3 != 2) box = makeRandomBox(random);
+    const glm::vec3 low = box.min, high = box.max;
+    flat.add({low, {high.x, low.y, low.z}, {low.x, high.y, low.z}, high},
+             {{0, 1, 2}, {1, 3, 2}, {0, 2, 3}},
+             {random() % 256, random() % 256, random() % 256, 255});
     flat.hierarchy.nodes[i].flags = random() % 2;
     order.push_back(i);
   }

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 std::string makeHeader() {
   std::string header = "frame,warm_up";
-  for (const CounterInfo& info : kCounterTable) header += fmt::format(",{}", info.key);
+  for (const CounterInfo& info : kCounterTable)
+    if (!info.isOptional) header += fmt::format(",{}", info.key);
   return header + "\n";
 }
 
@@ -102,6 +103,15 @@ TEST(FrameCsv, WritesTheHeaderAndLeavesAbsentFieldsEmpty) {
   record.set(Counter::kFrameMs, 0.1);
   EXPECT_EQ(formatFrameCsv({record}), makeHeader() + "3,1,183,,,,,,,0.1,,,,,,\n");
   EXPECT_EQ(formatFrameCsv({}), makeHeader());
+}
+
+TEST(FrameCsv, HasAColumnOfAnOptionalCounterWhereAFrameHasIt) {
+  std::vector<FrameRecord> records(2);
+  records[1].frame = 1;
+  records[1].set(Counter::kLoads, 7.0);
+  std::string header = makeHeader();
+  header.insert(header.size() - 1, ",loads");
+  EXPECT_EQ(formatFrameCsv(records), header + "0,0,,,,,,,,,,,,\n1,0,,,,,,,,,,,,7\n");
 }
 
 TEST(FrameCsv, ReadsBackEveryBitOfWhatItWrote) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <deque>
+#include <cstddef>
+#include <vector>
 
 #include "hlod/render/gl_object.h"
 
@@ -10,7 +11,8 @@ namespace hlodbench {
 class FramePacer {
  public:
   // framesInFlight: 0 waits for each frame to be finished before the next one is begun.
-  explicit FramePacer(int framesInFlight) : framesInFlight_(framesInFlight) {}
+  explicit FramePacer(int framesInFlight)
+      : fences_(static_cast<std::size_t>(framesInFlight) + 1, nullptr) {}
   ~FramePacer();
   FramePacer(const FramePacer&) = delete;
   FramePacer& operator=(const FramePacer&) = delete;
@@ -20,8 +22,8 @@ class FramePacer {
   void endFrame();
 
  private:
-  int framesInFlight_;
-  std::deque<GLsync> fences_;
+  std::vector<GLsync> fences_;  // a ring of frames that may be unfinished; null where there is none
+  std::size_t next_ = 0;        // the oldest one's place
 };
 
 }  // namespace hlodbench

@@ -3,9 +3,8 @@
 #include <cstddef>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
-#include <stdexcept>
 
-#include "hlod/render/gl_debug.h"
+#include "hlod/render/gl_fill_buffer.h"
 #include "hlod/render/gl_program.h"
 #include "hlod/render/shaders.h"
 
@@ -15,17 +14,6 @@ namespace {
 // Corner i of a box: bit 0 = max x, bit 1 = max y, bit 2 = max z. Counter-clockwise from outside.
 constexpr GLushort kBoxTriangles[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
                                         2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
-
-void fillBuffer(GLenum target, GLuint buffer, const std::string& label, const void* data,
-                std::size_t size) {
-  while (glGetError() != GL_NO_ERROR) {
-  }
-  glBindBuffer(target, buffer);
-  glBufferData(target, static_cast<GLsizeiptr>(size), data, GL_STATIC_DRAW);
-  if (glGetError() == GL_OUT_OF_MEMORY)
-    throw std::runtime_error("no memory for " + std::to_string(size >> 20) + " MiB of " + label);
-  labelGlObject(GL_BUFFER, buffer, label);
-}
 
 void setAttribute(GLuint index, GLint components, GLenum type, bool normalized, std::size_t stride,
                   std::size_t offset) {
@@ -45,6 +33,7 @@ Renderer::Renderer(const Hierarchy& hierarchy, int width, int height,
                    const RendererOptions& options)
     : hierarchy_(hierarchy),
       options_(options),
+      residency_(hierarchy, options.gpuMemory),
       framebuffer_(width, height),
       nodePrograms_{
           Program(makeGlProgram("nodes, lit", shaders::kNodeVertex, shaders::kLitFragment)),
@@ -52,18 +41,16 @@ Renderer::Renderer(const Hierarchy& hierarchy, int width, int height,
               makeGlProgram("nodes, objects", shaders::kObjectVertex, shaders::kObjectFragment)),
           Program(makeGlProgram("nodes, tinted", shaders::kNodeVertex, shaders::kTintedFragment))},
       boxProgram_(makeGlProgram("boxes", shaders::kBoxVertex, shaders::kBoxFragment)) {
-  uploadGeometry();
+  describeGeometry();
   uploadColors();
   uploadBoxes();
 }
 
 // One buffer holds vertices and indices, block after block as in the file.
-void Renderer::uploadGeometry() {
-  for (NodeId id = 0; id < hierarchy_.nodes.size(); ++id) checkGeometryHash(hierarchy_, id);
+void Renderer::describeGeometry() {
   glBindVertexArray(nodeArray_);
-  const std::span<const std::byte> bytes = hierarchy_.geometry.bytes();
-  fillBuffer(GL_ARRAY_BUFFER, geometry_, "node geometry", bytes.data(), bytes.size());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, geometry_);
+  glBindBuffer(GL_ARRAY_BUFFER, residency_.buffer());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, residency_.buffer());
   setAttribute(0, 3, GL_FLOAT, false, sizeof(Vertex), offsetof(Vertex, position));
   // not normalised by OpenGL, whose versions do it differently
   setAttribute(1, 2, GL_BYTE, false, sizeof(Vertex), offsetof(Vertex, normal));
@@ -100,6 +87,7 @@ void Renderer::uploadBoxes() {
 }
 
 void Renderer::beginFrame(const Camera& camera, Shading shading) {
+  residency_.beginFrame();
   framebuffer_.bind();
   shading_ = shading;
   lens_ = camera.lens;
@@ -172,7 +160,18 @@ Renderer::Kind Renderer::kindOf(const Node& node) const {
           static_cast<GLenum>(node.hasNarrowIndices() ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT)};
 }
 
-void Renderer::drawNode(NodeId id) {
+GLint Renderer::firstVertex(NodeId id) const {
+  return static_cast<GLint>(residency_.offset(id) / sizeof(Vertex));
+}
+
+const void* Renderer::indexPlace(NodeId id) const {
+  return reinterpret_cast<const void*>(residency_.offset(id) +
+                                       hierarchy_.node(id).vertexCount * sizeof(Vertex));
+}
+
+void Renderer::drawNode(NodeId wanted) {
+  const NodeId id = residency_.choose(wanted);
+  if (id == kNoNode) return;
   const Node& node = hierarchy_.node(id);
   const Kind kind = kindOf(node);
   setState(State::kNodes);
@@ -180,11 +179,18 @@ void Renderer::drawNode(NodeId id) {
   // with the range of indices, a software rasteriser shades each vertex once
   glDrawRangeElementsBaseVertex(GL_TRIANGLES, 0, node.vertexCount > 0 ? node.vertexCount - 1 : 0,
                                 static_cast<GLsizei>(node.indexCount), kind.indexType,
-                                reinterpret_cast<const void*>(node.indexOffset()),
-                                static_cast<GLint>(node.geometryOffset / sizeof(Vertex)));
+                                indexPlace(id), firstVertex(id));
 }
 
 void Renderer::drawNodes(std::span<const NodeId> nodes) {
+  while (!nodes.empty()) {
+    const std::size_t there = residency_.loadNow(nodes);
+    drawThere(nodes.first(there));
+    nodes = nodes.subspan(there);
+  }
+}
+
+void Renderer::drawThere(std::span<const NodeId> nodes) {
   while (!nodes.empty()) {
     const Kind kind = kindOf(hierarchy_.node(nodes[0]));
     counts_.clear();
@@ -194,8 +200,8 @@ void Renderer::drawNodes(std::span<const NodeId> nodes) {
       const Node& node = hierarchy_.node(id);
       if (kindOf(node) != kind) break;
       counts_.push_back(static_cast<GLsizei>(node.indexCount));
-      indexPlaces_.push_back(reinterpret_cast<const void*>(node.indexOffset()));
-      firstVertices_.push_back(static_cast<GLint>(node.geometryOffset / sizeof(Vertex)));
+      indexPlaces_.push_back(indexPlace(id));
+      firstVertices_.push_back(firstVertex(id));
     }
     setState(State::kNodes);
     setCulling(kind.isCulled);

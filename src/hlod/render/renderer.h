@@ -7,6 +7,7 @@
 
 #include "hlod/render/framebuffer.h"
 #include "hlod/render/gl_program.h"
+#include "hlod/render/residency.h"
 #include "hlod/tree/hierarchy.h"
 #include "hlod/view/camera.h"
 
@@ -26,19 +27,19 @@ enum class FaceCulling {
 };
 
 struct RendererOptions {
+  std::uint64_t gpuMemory = kUnlimitedMemory;  // bytes for nodes' geometry, see Residency
   FaceCulling culling = FaceCulling::kNone;
 };
 
-// Draws nodes and boxes of a hierarchy whose geometry is resident in one buffer. Knows nothing of
-// why a node is drawn.
+// Draws nodes and boxes of a hierarchy. Knows nothing of why a node is drawn.
 class Renderer {
  public:
-  // Checks and uploads the geometry, which is not read again. The hierarchy must outlive the
-  // renderer. Throws std::runtime_error when the driver has no memory for it, and InputError when a
-  // checksum does not match.
+  // Uploads the geometry, or as much of it as the options allow. The hierarchy must outlive the
+  // renderer. Throws as Residency does.
   Renderer(const Hierarchy& hierarchy, int width, int height, const RendererOptions& options = {});
 
-  // Clears the framebuffer and sets the camera, whose viewport must be the framebuffer's size.
+  // Clears the framebuffer, lets in nodes that have been read, and sets the camera, whose viewport
+  // must be the framebuffer's size.
   void beginFrame(const Camera& camera, Shading shading = Shading::kLit);
   // Of the nodes drawn next; at first that of the options. Returns what it was.
   FaceCulling setFaceCulling(FaceCulling culling) {
@@ -46,14 +47,18 @@ class Renderer {
   }
   // The colour of the nodes drawn next, linear RGB, 0 to 1; seen in Shading::kTinted only.
   void setTint(const glm::vec3& color);
-  // Draws the node's LOD.
+  // Draws the node's LOD; where the GPU has no room for all nodes and it is not there yet, the
+  // nearest ancestor that is there, once a frame.
   void drawNode(NodeId node);
   // Draws the LODs of nodes, in this order, with as few calls as their kinds allow: the picture
-  // that drawNode() for each of them makes.
+  // that drawNode() for each of them makes where all are there. Waits for those that are not.
   void drawNodes(std::span<const NodeId> nodes);
   // Draws the front faces of the node's box, tested against the depth buffer and leaving no trace.
   void drawBox(NodeId node);
 
+  // Of the current frame; where there is room for all nodes, nothing is ever missing.
+  [[nodiscard]] bool isLimited() const { return residency_.isLimited(); }
+  [[nodiscard]] const ResidencyCounters& residency() const { return residency_.counters(); }
   [[nodiscard]] Image readColor() const { return framebuffer_.readColor(); }
   // Of what was drawn since beginFrame().
   [[nodiscard]] DepthImage readDepth() const;
@@ -69,6 +74,10 @@ class Renderer {
     bool operator==(const Kind&) const = default;
   };
   [[nodiscard]] Kind kindOf(const Node& node) const;
+  // Of a node that is there.
+  [[nodiscard]] GLint firstVertex(NodeId id) const;
+  [[nodiscard]] const void* indexPlace(NodeId id) const;
+  void drawThere(std::span<const NodeId> nodes);
   // A program and the places of its uniforms; -1 where it has none.
   struct Program {
     explicit Program(GlProgram linked);
@@ -78,17 +87,18 @@ class Renderer {
   [[nodiscard]] const Program& nodeProgram() const {
     return nodePrograms_[static_cast<std::size_t>(shading_)];
   }
-  void uploadGeometry();
+  void describeGeometry();
   void uploadColors();
   void uploadBoxes();
 
   const Hierarchy& hierarchy_;
   RendererOptions options_;
+  Residency residency_;
   Framebuffer framebuffer_;
   std::array<Program, 3> nodePrograms_;  // by Shading
   Program boxProgram_;
   GlVertexArray nodeArray_, boxArray_;
-  GlBuffer geometry_, colors_, boxCorners_, boxIndices_;
+  GlBuffer colors_, boxCorners_, boxIndices_;
   GlTexture colorTexture_;  // colors_ by object
   State state_ = State::kNone;
   bool isCulling_ = false;
