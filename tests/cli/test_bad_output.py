@@ -69,13 +69,13 @@ def limit_files(count):
 def test_build_on_a_full_disk(place, count):
     scene = write_walls(place.folder)
     arguments = place.build(scene)
-    place.refuse(arguments, BAD_INPUT, place.folder / "new.hlod", **limit_files(count))
+    place.refuse(arguments, BAD_INPUT, place.folder, **limit_files(count))
 
 
 def test_rebuild_on_a_full_disk_keeps_the_old_hierarchy(place):
     scene = write_walls(place.folder)
     arguments = ["build", scene, "-o", place.hlod, "--max-triangles", "100"]
-    place.refuse(arguments, BAD_INPUT, place.hlod, **limit_files(1000))
+    place.refuse(arguments, BAD_INPUT, place.folder, **limit_files(1000))
 
 
 @pytest.mark.parametrize("count", [0, 100, 2000])
@@ -125,7 +125,7 @@ def test_a_disk_that_is_really_full(place, tmp_path):
     with tiny_disk(tmp_path / "disk") as disk:
         scene = write_walls(place.folder)
         hlod = disk / "w.hlod"
-        place.refuse(["build", scene, "-o", hlod], BAD_INPUT, hlod, "No space")
+        place.refuse(["build", scene, "-o", hlod], BAD_INPUT, disk, "No space")
         assert list(disk.iterdir()) == []
         trace = disk / "t.jsonl"
         result = place.hlodbench(*place.run("--strategy", "bool", "--trace", trace))

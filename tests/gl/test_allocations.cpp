@@ -87,7 +87,7 @@ TEST_P(Allocations, AreNoneInAFrameUnderABudget) {
   EXPECT_TRUE(rig.renderer.isLimited());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Allocations, ::testing::Values("sw-b"), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(All, Allocations, ::testing::Values("bool", "sw-b", "simp-b", "coh-b"), [](const auto& test) {
   return test.param.substr(0, test.param.find('-'));
 });
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hlod/build/chunk_plan.h"
-#include "hlod/build/temporary_file.h"
+#include "hlod/core/temporary_file.h"
 
 namespace hlodbench {
 

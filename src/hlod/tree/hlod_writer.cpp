@@ -91,7 +91,9 @@ void HlodWriter::addGeometry(NodeId id, std::span<const Vertex> vertices,
                              std::span<const std::uint32_t> indices) {
   thread_local GeometryPacker packer;
   Block block;
-  block.place = spill_.append(packer.pack(vertices, indices, block.node));
+  const std::span<const std::byte> bytes = packer.pack(vertices, indices, block.node);
+  block.place = spilled_.fetch_add(bytes.size());
+  spill_.write(block.place, bytes.data(), bytes.size());
   const std::lock_guard lock(mutex_);
   if (id >= blocks_.size()) blocks_.resize(std::max<std::size_t>(id + 1, blocks_.size() * 2));
   blocks_[id] = block;
@@ -114,7 +116,7 @@ void HlodWriter::finish(Hierarchy& hierarchy, HlodFileInfo& info, std::span<cons
   std::vector<std::byte> bytes;
   writeFile(path_, hierarchy, hierarchy.nodes, info, [&](NodeId id) {
     bytes.resize(hierarchy.node(id).blockBytes());
-    spill_.read(blockOf(id).place, bytes);
+    spill_.read(blockOf(id).place, bytes.data(), bytes.size());
     return std::span<const std::byte>(bytes);
   });
 }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <vector>
 
-#include "hlod/core/spill_file.h"
+#include "hlod/core/temporary_file.h"
 #include "hlod/tree/hlod_file.h"
 #include "hlod/tree/node_sink.h"
 
@@ -37,7 +38,8 @@ class HlodWriter final : public NodeSink {
     std::uint64_t place = 0;
   };
   std::filesystem::path path_;
-  SpillFile spill_;
+  TemporaryFile spill_;
+  std::atomic<std::uint64_t> spilled_{0};  // bytes
   std::mutex mutex_;
   std::vector<Block> blocks_;  // by id
 };

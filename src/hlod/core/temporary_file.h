@@ -10,7 +10,8 @@ namespace hlodbench {
 // after opening, so nothing is left of it, however the program ends.
 class TemporaryFile {
  public:
-  // Throws InputError when no file can be made in the folder.
+  // folder: which must exist, "" for the working directory; the file takes its disk's space. Throws
+  // InputError when no file can be made there.
   explicit TemporaryFile(std::filesystem::path folder);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;

@@ -1,4 +1,4 @@
-#include "hlod/build/temporary_file.h"
+#include "hlod/core/temporary_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ int openNameless(const std::filesystem::path& folder) {
 }  // namespace
 
 TemporaryFile::TemporaryFile(std::filesystem::path folder)
-    : folder_(std::move(folder)), fd_(openNameless(folder_)) {
+    : folder_(folder.empty() ? "." : std::move(folder)), fd_(openNameless(folder_)) {
   if (fd_ < 0) fail("made", errno);
 }
 
