@@ -159,8 +159,8 @@ def draw(folder, rows):
     memory.legend()
     for panel, column, label in ((frames, "ms", "frame, ms"), (nodes, "dn", "DN")):
         for key, strategy, name in (("bool", "bool", "Bool"), ("coh", "coh-b", "Coh(B)")):
-            panel.plot(size, [row[f"{key}_{column}"] for row in rows], label=name,
-                       **line_look(style_of(strategy), len(rows)))
+            look = line_look(style_of(strategy), len(rows)) | {"markevery": 1}
+            panel.plot(size, [row[f"{key}_{column}"] for row in rows], label=name, **look)
         panel.set(ylabel=label)
         panel.set_ylim(bottom=0)
         panel.legend()
@@ -173,10 +173,10 @@ def read_mesh_size(program, mesh, folder):
     """Triangles of the mesh, by building it once."""
     hierarchy = os.path.join(folder, "one.hlod")
     run_measured([program, "build", mesh, "-o", hierarchy, "--preset", "best"])
-    said = subprocess.run([program, "info", hierarchy, "--json"], check=True, capture_output=True,
+    said = subprocess.run([program, "info", hierarchy], check=True, capture_output=True,
                           text=True).stdout
     os.unlink(hierarchy)
-    return json.loads(said)["triangles"]
+    return int(re.search(r"^scene +(\d+) triangles", said, re.MULTILINE)[1])
 
 
 def parse_arguments(arguments):

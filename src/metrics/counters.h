@@ -73,7 +73,8 @@ inline constexpr std::array<CounterInfo, kCounterCount> kCounterTable{{
     {Counter::kWaitMs, "wait_ms", "wait", "ms", Better::kLower, Exactness::kNoisy,
      "time blocked on query results"},
     {Counter::kDrawMs, "draw_ms", "draw", "ms", Better::kLower, Exactness::kNoisy,
-     "time in draw calls for nodes; a software rasteriser transforms and sets up triangles in them"},
+     "time in draw calls for nodes; a software rasteriser transforms and sets up triangles in "
+     "them"},
     {Counter::kQueryMs, "query_ms", "query", "ms", Better::kLower, Exactness::kNoisy,
      "time in issuing queries and asking whether they are done, boxes included, waiting not"},
     {Counter::kTraversalMs, "traversal_ms", "traversal", "ms", Better::kLower, Exactness::kNoisy,

@@ -87,9 +87,10 @@ TEST_P(Allocations, AreNoneInAFrameUnderABudget) {
   EXPECT_TRUE(rig.renderer.isLimited());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Allocations, ::testing::Values("bool", "sw-b", "simp-b", "coh-b"), [](const auto& test) {
-  return test.param.substr(0, test.param.find('-'));
-});
+INSTANTIATE_TEST_SUITE_P(All, Allocations, ::testing::Values("bool", "sw-b", "simp-b", "coh-b"),
+                         [](const auto& test) {
+                           return test.param.substr(0, test.param.find('-'));
+                         });
 
 }  // namespace
 }  // namespace hlodbench

@@ -46,7 +46,9 @@ TEST_F(LongReplay, TakesNoMoreMemoryAfterTenThousandFrames) {
   ASSERT_GT(warm, 0);
   // the log itself, 160 bytes a frame, is reserved at the start but touched as it fills
   constexpr long kLogKib = (kFrames - kWarm) * long{sizeof(FrameRecord)} / 1024;
-  EXPECT_LE(last - warm, kLogKib + 1024) << "KiB more than after " << kWarm << " frames";
+  // the driver's pools settle late; half a KiB a frame would be over it
+  constexpr long kDriverKib = 4096;
+  EXPECT_LE(last - warm, kLogKib + kDriverKib) << "KiB more than after " << kWarm << " frames";
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(FrameCsv, HasAColumnOfAnOptionalCounterWhereAFrameHasIt) {
   records[1].set(Counter::kLoads, 7.0);
   std::string header = makeHeader();
   header.insert(header.size() - 1, ",loads");
-  EXPECT_EQ(formatFrameCsv(records), header + "0,0,,,,,,,,,,,,\n1,0,,,,,,,,,,,,7\n");
+  EXPECT_EQ(formatFrameCsv(records), header + "0,0,,,,,,,,,,,,,,,\n1,0,,,,,,,,,,,,,,,7\n");
 }
 
 TEST(FrameCsv, ReadsBackEveryBitOfWhatItWrote) {
