@@ -127,4 +127,22 @@ inline std::map<std::pair<Point, Point>, int> borderOf(const std::vector<Triangl
   return edges;
 }
 
+// The triangles of a front of the tree: an inner node is refined with a chance of `refine` per
+// cent.
+inline std::vector<Triangle> randomFront(const Hierarchy& h, unsigned refine,
+                                         std::mt19937& random) {
+  std::vector<NodeId> open{kRoot};
+  std::vector<Triangle> triangles;
+  while (!open.empty()) {
+    const Node& node = h.node(open.back());
+    open.pop_back();
+    if (!node.isLeaf() && random() % 100 < refine) {
+      for (std::uint32_t i = 0; i < node.childCount; ++i) open.push_back(node.firstChild + i);
+      continue;
+    }
+    for (const Triangle& t : trianglesOf(h, node)) triangles.push_back(t);
+  }
+  return triangles;
+}
+
 }  // namespace hlodbench::testing

@@ -60,17 +60,7 @@ TEST_P(BuildWith, AnyFrontOfAClosedBodyIsWatertight) {
   std::mt19937 random(7);
   for (int front = 0; front < 40; ++front) {
     const unsigned refine = 30 + random() % 70;
-    std::vector<NodeId> open{kRoot};
-    std::vector<Triangle> triangles;
-    while (!open.empty()) {
-      const Node& node = h.node(open.back());
-      open.pop_back();
-      if (!node.isLeaf() && random() % 100 < refine) {
-        for (std::uint32_t i = 0; i < node.childCount; ++i) open.push_back(node.firstChild + i);
-        continue;
-      }
-      for (const Triangle& t : testing::trianglesOf(h, node)) triangles.push_back(t);
-    }
+    const std::vector<Triangle> triangles = testing::randomFront(h, refine, random);
     EXPECT_EQ(testing::borderOf(triangles).size(), 0u) << "front " << front;
   }
 }
