@@ -25,9 +25,7 @@ repetitions=9 sizes=640x480,1920x1080,3840x2160 results='' context=egl install=y
 while [ $# -gt 0 ]; do
   case $1 in
     --repetitions)
-      repetitions=$(option_value "$@")
-      [[ $repetitions =~ ^[1-9][0-9]{0,3}$ ]] ||
-        die 2 "--repetitions expects a number from 1 to 9999, not '$repetitions'"
+      repetitions=$(repetitions_value "$@")
       shift
       ;;
     --sizes)

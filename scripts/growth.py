@@ -12,7 +12,6 @@ import json
 import math
 import os
 import re
-import resource
 import subprocess
 import sys
 import tempfile
@@ -208,7 +207,6 @@ def parse_arguments(arguments):
 def main():
     options = parse_arguments(sys.argv[1:])
     os.makedirs(options.out)
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     with tempfile.TemporaryDirectory(dir=options.out, prefix=".") as folder:
         session = os.path.join(options.out, "growth.session.json")
         write_session(session, folder)

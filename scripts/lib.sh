@@ -25,6 +25,14 @@ option_value() {
   printf '%s\n' "$2"
 }
 
+# repetitions_value OPTION [VALUE...]: prints VALUE, or ends unless it is a number of repetitions.
+repetitions_value() {
+  local value
+  value=$(option_value "$@") || exit
+  [[ $value =~ ^[1-9][0-9]{0,3}$ ]] || die 2 "$1 expects a number from 1 to 9999, not '$value'"
+  printf '%s\n' "$value"
+}
+
 # absolute_path PATH: PATH seen from the working directory; it need not exist.
 absolute_path() {
   case $1 in

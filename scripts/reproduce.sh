@@ -146,9 +146,7 @@ while [ $# -gt 0 ]; do
     --paper) paper=yes ;;
     --no-install) install=no ;;
     --repetitions)
-      repetitions=$(option_value "$@")
-      [[ $repetitions =~ ^[1-9][0-9]{0,3}$ ]] ||
-        die 2 "--repetitions expects a number from 1 to 9999, not '$repetitions'"
+      repetitions=$(repetitions_value "$@")
       shift
       ;;
     --out)
