@@ -122,6 +122,29 @@ TEST(Octree, PartsTheTrianglesAtEveryNode) {
   }
 }
 
+// Bodies that stand on a plane are not cut through by the planes that part them from each other.
+TEST(Octree, CutsAFlatSceneAcrossItsShortSideLast) {
+  for (const int flat : {0, 1, 2}) {
+    TriangleMesh mesh;
+    std::uint32_t object = 0;
+    for (int row = 0; row < 8; ++row)
+      for (int column = 0; column < 8; ++column) {
+        glm::vec3 centre(0.37f);
+        centre[(flat + 1) % 3] = 3.0f * static_cast<float>(row);
+        centre[(flat + 2) % 3] = 3.0f * static_cast<float>(column);
+        testing::addBumpySphere(mesh, 12, centre, 1.0f, object++);
+      }
+    const std::uint32_t limit = static_cast<std::uint32_t>(mesh.triangles.size()) / 16;
+    const std::vector<OctreeNode> nodes = computeOctree(codesOf(mesh), limit);
+    EXPECT_GE(nodes.size(), 1u + 4u + 16u);
+    for (const OctreeNode& node : nodes) EXPECT_LE(node.childCount, 4u) << "flat axis " << flat;
+    // a body is cut through in the end
+    const std::vector<OctreeNode> deep = computeOctree(codesOf(mesh), 20);
+    EXPECT_TRUE(std::any_of(deep.begin(), deep.end(),
+                            [](const OctreeNode& node) { return node.childCount > 4; }));
+  }
+}
+
 TEST(Octree, EndsWhereCentroidsCoincide) {
   TriangleMesh mesh = testing::bumpySphere(20);
   for (int i = 0; i < 100; ++i) mesh.triangles.push_back(mesh.triangles[17]);

@@ -18,6 +18,15 @@ std::uint64_t spreadBits(std::uint32_t value) {
   return x;
 }
 
+// A flat scene would be cut all through by the first of the planes that halve the root cell across
+// its short side. So it lies in the middle of the smallest cell that is as high as it: only cells
+// of about its height are cut there.
+double firstCellAround(double extent, double size) {
+  double cell = size;
+  for (unsigned cuts = 0; cuts < kMaxOctreeDepth && extent <= 0.5 * cell; ++cuts) cell *= 0.5;
+  return cell;
+}
+
 }  // namespace
 
 CellCodes::CellCodes(const Aabb& box) {
@@ -25,7 +34,8 @@ CellCodes::CellCodes(const Aabb& box) {
   const glm::dvec3 high(box.max);
   const glm::dvec3 extent = high - low;
   const double size = std::max({extent.x, extent.y, extent.z});
-  corner_ = (low + high) * 0.5 - size * 0.5;
+  for (int axis = 0; axis < 3; ++axis)
+    corner_[axis] = 0.5 * (low[axis] + high[axis] - firstCellAround(extent[axis], size));
   scale_ = kCells / size;
 }
 

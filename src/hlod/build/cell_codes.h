@@ -15,7 +15,8 @@ inline constexpr unsigned kMaxOctreeDepth = 20;
 // Says in which cells of the octree over a scene a triangle lies, by its centroid.
 class CellCodes {
  public:
-  // box: of the whole scene; its longest side is the root cell's.
+  // box: of the whole scene; its longest side is the root cell's. Where the scene is flatter than
+  // that, cells are first cut across its short side when they are less than twice as high.
   explicit CellCodes(const Aabb& box);
 
   // The path from the root cell to the deepest cell: 3 bits a cut, the first on top.

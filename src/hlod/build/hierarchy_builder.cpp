@@ -16,6 +16,10 @@
 namespace hlodbench {
 namespace {
 
+// Counts up whenever equal options come to make other nodes, so that hierarchies of older programs
+// are built anew.
+constexpr int kBuilderRevision = 2;
+
 // The box of all triangles.
 Aabb measureScene(const TriangleSource& source, unsigned threads) {
   if (source.triangleCount() == 0)
@@ -192,10 +196,11 @@ class TreeBuilder {
 }  // namespace
 
 std::string canonicalOptions(const BuildOptions& options) {
-  return fmt::format("max_triangles={} simplifier={} error_samples={} error={} normals={}",
-                     options.maxTriangles, options.simplifier, options.errorSamples,
-                     options.error == ErrorMeasure::kRms ? "rms" : "max",
-                     options.normals == LodNormals::kSmoothed ? "smoothed" : "original");
+  return fmt::format(
+      "builder={} max_triangles={} simplifier={} error_samples={} error={} normals={}",
+      kBuilderRevision, options.maxTriangles, options.simplifier, options.errorSamples,
+      options.error == ErrorMeasure::kRms ? "rms" : "max",
+      options.normals == LodNormals::kSmoothed ? "smoothed" : "original");
 }
 
 BuiltTree buildTree(const TriangleSource& source, const BuildOptions& options, NodeSink& sink,

@@ -34,7 +34,7 @@ struct BuildOptions {
   std::uint64_t exactTriangles = 16384;
 };
 
-// The options that decide the result, as one line: "max_triangles=2000 simplifier=openmesh
+// What decides the result, as one line: "builder=2 max_triangles=2000 simplifier=openmesh
 // error_samples=16384 error=max normals=original".
 std::string canonicalOptions(const BuildOptions& options);
 
