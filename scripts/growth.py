@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 """Measures how building, loading and drawing grow with the model.
 
-Copies of one mesh stand in rows that go away from the camera; a larger model has more rows behind
-those of a smaller one, so the view begins with the same bodies whatever its size. Each size is
-built within a memory limit and replayed with Bool and Coh(B) under a budget of GPU memory.
+Without --mesh the model grows in detail: one fractal body at rising resolution, and a camera that
+goes round it. The view is the same at every size.
+With --mesh it grows in extent: copies of the mesh stand in rows that go away from the camera; a
+larger model has more rows behind those of a smaller one, so the view begins with the same bodies
+whatever its size, and more of them come into it.
+Each size is built within a memory limit and replayed with Bool and Coh(B) under a budget of GPU
+memory.
 """
 
 import argparse
@@ -18,6 +22,7 @@ import tempfile
 import time
 
 from atomic_file import write_atomically, write_text_atomically
+from fractal_body import write_fractal_body
 from result_folder import read_run
 
 SPACING = 2.6  # between bodies whose diagonal is 2, world units
@@ -52,14 +57,24 @@ def write_scene(path, mesh, count):
     write_text_atomically(path, json.dumps(scene))
 
 
-def write_session(path, folder):
-    """A camera that walks along the first row, looking at it and over it; the same for all."""
-    keyframes = {"name": "growth", "viewport": [640, 480], "fovy_deg": 50, "near": 0.02,
-                 "far": 400, "fps": 60,
-                 "keyframes": [{"t": t, "eye": [x, 1.6, 4.2], "look_at": [0.4 * x, 0.3, -2.0]}
-                               for t, x in ((0, -2.0), (1.5, 0.0), (3, 2.0))]}
+def make_walk():
+    """A camera that walks along the first row, looking at it and over it."""
+    return [{"t": t, "eye": [x, 1.6, 4.2], "look_at": [0.4 * x, 0.3, -2.0]}
+            for t, x in ((0, -2.0), (1.5, 0.0), (3, 2.0))]
+
+
+def make_orbit():
+    """A camera that goes a part of the way round a body of radius 1, which fills the picture."""
+    return [{"t": t, "eye": [x, 0.5, z], "look_at": [0, 0, 0]}
+            for t, x, z in ((0, -1.0, 2.45), (1.5, 0.0, 2.65), (3, 1.0, 2.45))]
+
+
+def write_session(path, folder, keyframes):
+    """The session of all sizes."""
+    camera = {"name": "growth", "viewport": [640, 480], "fovy_deg": 50, "near": 0.02,
+              "far": 400, "fps": 60, "keyframes": keyframes}
     source = os.path.join(folder, "growth.keyframes.json")
-    write_text_atomically(source, json.dumps(keyframes))
+    write_text_atomically(source, json.dumps(camera))
     maker = os.path.join(os.path.dirname(os.path.abspath(__file__)), "make_session.py")
     subprocess.run([sys.executable, maker, source, path], check=True, stdout=subprocess.DEVNULL)
 
@@ -80,22 +95,47 @@ def run_measured(command):
     return seconds, usage.ru_maxrss / 1024, text
 
 
-def measure(options, mesh_triangles, millions, session, folder):
+class Detail:
+    """Models that grow in detail."""
+
+    keyframes = make_orbit()
+
+    def write(self, folder, millions):
+        """Writes the model; returns (its file, its triangles)."""
+        path = os.path.join(folder, "growth.ply")
+        return path, write_fractal_body(path, millions * 1e6)
+
+
+class Extent:
+    """Models that grow in extent, of copies of a mesh."""
+
+    keyframes = make_walk()
+
+    def __init__(self, program, mesh, folder):
+        self.mesh = mesh
+        self.mesh_triangles = read_mesh_size(program, mesh, folder)
+
+    def write(self, folder, millions):
+        """As Detail.write()."""
+        count = max(1, round(millions * 1e6 / self.mesh_triangles))
+        path = os.path.join(folder, "growth.scene.json")
+        write_scene(path, self.mesh, count)
+        return path, count * self.mesh_triangles
+
+
+def measure(options, model, millions, session, folder):
     """One row of the table: {column: number}."""
-    count = max(1, round(millions * 1e6 / mesh_triangles))
-    scene = os.path.join(folder, "growth.scene.json")
     hierarchy = os.path.join(folder, "growth.hlod")
-    write_scene(scene, options.mesh, count)
     row = dict.fromkeys(COLUMNS)
-    row["triangles"] = count * mesh_triangles
-    print(f"growth.py: building {count} bodies, {row['triangles'] / 1e6:.1f}M triangles",
-          file=sys.stderr)
+    scene, row["triangles"] = model.write(folder, millions)
+    print(f"growth.py: building {row['triangles'] / 1e6:.1f}M triangles", file=sys.stderr)
     build = [options.program, "build", scene, "-o", hierarchy, "--preset", options.preset]
     if options.memory:
         build += ["--memory", options.memory]
     row["build_s"], row["build_mib"], _ = run_measured(build)
     row["file_mib"] = os.path.getsize(hierarchy) / 2**20
-    out = os.path.join(options.out, f"{count}")
+    os.unlink(scene)
+    out = os.path.join(options.out, f"{row['triangles']}")
     run = [options.program, "run", "--scene", hierarchy, "--session", session, "--out", out,
            "--strategy", "bool,coh-b", "--images", "none", "--repetitions",
            str(options.repetitions), "--tau", str(options.tau)]
@@ -181,7 +221,7 @@ def read_mesh_size(program, mesh, folder):
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.ArgumentDefaultsHelpFormatter)
-    parser.add_argument("--mesh", required=True, help="mesh file whose copies make the models")
+    parser.add_argument("--mesh", help="mesh file whose copies make the models")
     parser.add_argument("--out", required=True, help="folder for growth.md, growth.csv, the "
                         "figure and the records; must not exist")
     parser.add_argument("--program", default="build/release/bench/hlodbench", help="hlodbench")
@@ -197,7 +237,7 @@ def parse_arguments(arguments):
         parser.error(f"--millions: expected numbers above 0, found {min(options.millions):g}")
     if not math.isfinite(options.tau) or options.tau <= 0:
         parser.error(f"--tau: expected a number above 0, found {options.tau:g}")
-    if not os.path.isfile(options.mesh):
+    if options.mesh is not None and not os.path.isfile(options.mesh):
         parser.error(f"--mesh: {options.mesh}: expected a mesh file, found none")
     if os.path.exists(options.out):
         parser.error(f"--out: {options.out}: expected a new folder, found something there")
@@ -209,11 +249,12 @@ def main():
     os.makedirs(options.out)
     with tempfile.TemporaryDirectory(dir=options.out, prefix=".") as folder:
         session = os.path.join(options.out, "growth.session.json")
-        write_session(session, folder)
-        mesh_triangles = read_mesh_size(options.program, options.mesh, folder)
+        model = (Extent(options.program, options.mesh, folder) if options.mesh
+                 else Detail())
+        write_session(session, folder, model.keyframes)
         rows = []
         for millions in options.millions:
-            rows.append(measure(options, mesh_triangles, millions, session, folder))
+            rows.append(measure(options, model, millions, session, folder))
             # after each size: what is measured stays whatever happens to the next
             write_table(os.path.join(options.out, "growth.md"), rows)
             write_csv(os.path.join(options.out, "growth.csv"), rows)

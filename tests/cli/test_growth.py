@@ -6,6 +6,7 @@ import pathlib
 import subprocess
 import sys
 
+import pytest
 from small_scene import write_relief
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "growth.py"
@@ -16,15 +17,18 @@ def grow(*arguments):
                           text=True)
 
 
-def test_growth_of_a_small_mesh(hlodbench, tmp_path):
+@pytest.mark.parametrize("kind", ["extent", "detail"])
+def test_growth_of_a_small_model(hlodbench, tmp_path, kind):
     mesh = write_relief(tmp_path / "relief.ply", 40)
     out = tmp_path / "out"
-    result = grow("--mesh", mesh, "--out", out, "--program", os.environ["HLODBENCH_EXE"],
-                  "--millions", "0.0032", "0.032", "--repetitions", "1", "--gpu-memory", "64M")
+    result = grow(*(["--mesh", mesh] if kind == "extent" else []), "--out", out, "--program",
+                  os.environ["HLODBENCH_EXE"], "--millions", "0.0032", "0.032", "--repetitions",
+                  "1", "--gpu-memory", "64M")
     assert result.returncode == 0, result.stderr
     with open(out / "growth.csv", encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    assert [int(row["triangles"]) for row in rows] == [3200, 32000]
+    sizes = [3200, 32000] if kind == "extent" else [12 * 16**2, 12 * 52**2]
+    assert [int(row["triangles"]) for row in rows] == sizes
     for row in rows:
         known = {name: value for name, value in row.items() if not name.endswith("_missing")}
         assert all(float(value) >= 0 for value in known.values()), row
