@@ -44,6 +44,17 @@ const Session& walk() {
   return session;
 }
 
+// Looks away from the courtyard: nothing is drawn but the sky, so what is done for each frame
+// shows.
+const Session& sky() {
+  static const Session session = [] {
+    Session out = walk();
+    for (Pose& pose : out.poses) pose.position.y = 1000.0;
+    return out;
+  }();
+  return session;
+}
+
 // One context and renderer for all benchmarks with GL; null where there is none.
 struct Stage {
   std::unique_ptr<GlContext> context = createContext("auto", {});
@@ -57,18 +68,19 @@ Stage& stage() {
 }
 
 // As `hlodbench run` replays: timers, counters, a record a frame, hooks.
-void replayLogged(benchmark::State& state) {
+void replayLogged(benchmark::State& state, const Session& session) {
   for (auto _ : state) {
     const auto strategy = findStrategy("coh-b").make(courtyard(), {});
     ReplayHooks hooks;
     int frames = 0;
     hooks.onFrame = [&](int) { ++frames; };
     benchmark::DoNotOptimize(
-        replaySession(walk(), *strategy, stage().renderer, stage().queries, {}, hooks));
+        replaySession(session, *strategy, stage().renderer, stage().queries, {}, hooks));
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(walk().poses.size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(session.poses.size()));
 }
-BENCHMARK(replayLogged)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(replayLogged, walk, walk())->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(replayLogged, sky, sky())->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // Drawing and asking, without a clock.
 class BareServices final : public FrameServices {
@@ -88,23 +100,35 @@ class BareServices final : public FrameServices {
 };
 
 // The same frames with nothing measured and nothing kept.
-void replayBare(benchmark::State& state) {
+void replayBare(benchmark::State& state, const Session& session) {
   for (auto _ : state) {
     const auto strategy = findStrategy("coh-b").make(courtyard(), {});
     BareServices services(stage().renderer, stage().queries);
     FramePacer pacer(ReplayOptions().framesInFlight);
     FrameRecord record;
-    for (const Pose& pose : walk().poses) {
-      const Camera camera = makeCamera(walk().lens, pose);
+    for (const Pose& pose : session.poses) {
+      const Camera camera = makeCamera(session.lens, pose);
       stage().queries.beginFrame();
       stage().renderer.beginFrame(camera);
       strategy->renderFrame(camera, services, record, nullptr);
       pacer.endFrame();
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(walk().poses.size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(session.poses.size()));
 }
-BENCHMARK(replayBare)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(replayBare, walk, walk())->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(replayBare, sky, sky())->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// What timing a call of a strategy adds to it: twice the clock. Items are calls.
+void timeCalls(benchmark::State& state) {
+  ScriptedQuerySource queries([](NodeId) { return 1u; }, courtyard().nodes.size());
+  GlFrameServices services(stage().renderer, queries);
+  queries.beginFrame();
+  services.issueQuery(kRoot);
+  for (auto _ : state) benchmark::DoNotOptimize(services.isAvailable(kRoot));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(timeCalls);
 
 // Draws nothing; every box is seen by a fixed share of its pixels.
 class NoServices final : public FrameServices {
