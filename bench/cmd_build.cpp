@@ -18,6 +18,12 @@ struct BuildCommand {
 };
 
 void printReport(const BuildReport& r) {
+  if (r.smallPartSize > 0.0)
+    fmt::print(
+        stderr,
+        "the scene is of small parts, {:.0f} triangles on the average: nodes of {} triangles, "
+        "simplified by {}\n",
+        r.smallPartSize, kSmallPart, kDefaultSimplifier);
   fmt::print(stderr, "built {} nodes ({} leaves, {} levels) in {:.1f} s\n", r.nodes, r.leaves,
              r.levels, r.totalSeconds);
   fmt::print(stderr,

@@ -15,6 +15,8 @@ void addPresetOption(CLI::App& command, Preset& preset) {
 
 void applyPreset(Preset preset, const CLI::App& command, BuildOptions& options) {
   if (preset != Preset::kBest) return;
+  options.adaptToParts =
+      command.count("--max-triangles") == 0 && command.count("--simplifier") == 0;
   if (command.count("--max-triangles") == 0) options.maxTriangles = 16000;
   if (command.count("--error") == 0) options.error = ErrorMeasure::kRms;
   if (command.count("--normals") == 0) options.normals = LodNormals::kSmoothed;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 
 #include "hlod/build/chunk_budget.h"
 #include "hlod/build/scene_pass.h"
@@ -70,6 +71,7 @@ std::vector<Aabb> sortIntoChunks(const TriangleSource& source, const CellCodes& 
 // The stages of building, one after the other.
 class TreeBuilder {
  public:
+  // The options are kept by reference.
   TreeBuilder(const TriangleSource& source, const BuildOptions& options, NodeSink& sink,
               BuildReport& report, const Progress& progress)
       : source_(source),
@@ -193,14 +195,25 @@ class TreeBuilder {
   std::atomic<NodeId> nextSinkId_{0};
 };
 
+BuildOptions adaptToParts(const TriangleSource& source, BuildOptions options, double& smallPart) {
+  if (!options.adaptToParts) return options;
+  const std::optional<double> size = source.computePartSize();
+  if (!size || *size >= kSmallPart) return options;
+  smallPart = *size;
+  options.maxTriangles = kSmallPart;
+  options.simplifier = kDefaultSimplifier;
+  return options;
+}
+
 }  // namespace
 
 std::string canonicalOptions(const BuildOptions& options) {
   return fmt::format(
-      "builder={} max_triangles={} simplifier={} error_samples={} error={} normals={}",
+      "builder={} max_triangles={} simplifier={} error_samples={} error={} normals={}{}",
       kBuilderRevision, options.maxTriangles, options.simplifier, options.errorSamples,
       options.error == ErrorMeasure::kRms ? "rms" : "max",
-      options.normals == LodNormals::kSmoothed ? "smoothed" : "original");
+      options.normals == LodNormals::kSmoothed ? "smoothed" : "original",
+      options.adaptToParts ? " adapt=parts" : "");
 }
 
 BuiltTree buildTree(const TriangleSource& source, const BuildOptions& options, NodeSink& sink,
@@ -213,7 +226,8 @@ BuiltTree buildTree(const TriangleSource& source, const BuildOptions& options, N
     throw InputError(fmt::format("build: expected at most {} objects, found {}", kMaxObjects,
                                  source.objects().size()));
   report = BuildReport();
-  return TreeBuilder(source, options, sink, report, progress).run();
+  const BuildOptions adapted = adaptToParts(source, options, report.smallPartSize);
+  return TreeBuilder(source, adapted, sink, report, progress).run();
 }
 
 }  // namespace hlodbench

@@ -15,6 +15,8 @@
 
 namespace hlodbench {
 
+inline constexpr std::uint32_t kSmallPart = 2000;
+
 struct BuildOptions {
   std::uint32_t maxTriangles = 2000;  // a cell is split above it; what interior LODs aim at
   std::string simplifier{kDefaultSimplifier};
@@ -22,6 +24,9 @@ struct BuildOptions {
   std::uint32_t errorSamples = 16384;  // points a node, see computeNodeError()
   ErrorMeasure error = ErrorMeasure::kLargest;
   LodNormals normals = LodNormals::kOriginal;
+  // Scenes whose connected parts have fewer than kSmallPart triangles on the average are built with
+  // nodes of that size and the default simplifier, whatever stands above.
+  bool adaptToParts = false;
 
   // How the work is cut up; does not change the result either. Bytes that building may take, about;
   // 0: no limit. Under a limit, triangles wait in a temporary file in `temporaryFolder`.
@@ -35,11 +40,12 @@ struct BuildOptions {
 };
 
 // What decides the result, as one line: "builder=2 max_triangles=2000 simplifier=openmesh
-// error_samples=16384 error=max normals=original".
+// error_samples=16384 error=max normals=original", and " adapt=parts" where that is asked for.
 std::string canonicalOptions(const BuildOptions& options);
 
 // What came of it, and what had to be done. Counts over interior nodes add up over the nodes.
 struct BuildReport {
+  double smallPartSize = 0.0;  // triangles a part, where options were adapted to it; else 0
   std::uint64_t nodes = 0;
   std::uint64_t leaves = 0;
   std::uint64_t levels = 0;

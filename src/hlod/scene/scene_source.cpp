@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hlod/scene/courtyard.h"
+#include "hlod/scene/part_size.h"
 #include "hlod/scene/scene_file.h"
 #include "hlod/scene/scene_placing.h"
 
@@ -45,6 +46,16 @@ class InstanceTriangles final : public TriangleSource {
     return bytes;
   }
 
+  [[nodiscard]] std::optional<double> computePartSize() const override {
+    std::map<const MeshFile*, double> parts;
+    for (const auto& [key, mesh] : meshes_)
+      parts[&mesh] = static_cast<double>(mesh.triangles.size()) /
+                     computeMeanPartSize(mesh.positions, mesh.triangles);
+    double all = 0.0;
+    for (const PlacedMesh& instance : instances_) all += parts.at(instance.mesh);
+    return static_cast<double>(triangleCount()) / all;
+  }
+
  private:
   void readInstance(std::uint32_t number, std::uint64_t first, std::span<SceneTriangle> out) const {
     const PlacedMesh& instance = instances_[number];
@@ -78,6 +89,9 @@ class OwnTriangles final : public TriangleSource {
     triangles_.read(first, out);
   }
   [[nodiscard]] std::uint64_t memoryBytes() const override { return triangles_.memoryBytes(); }
+  [[nodiscard]] std::optional<double> computePartSize() const override {
+    return triangles_.computePartSize();
+  }
 
  private:
   TriangleMesh mesh_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hlod/core/error.h"
+#include "hlod/scene/part_size.h"
 
 namespace hlodbench {
 
@@ -38,6 +39,10 @@ void MeshTriangles::read(std::uint64_t first, std::span<SceneTriangle> out) cons
       out[i].corners[corner] = mesh_.positions[t[corner]] + 0.0f;
     out[i].object = mesh_.objects[first + i];
   }
+}
+
+std::optional<double> MeshTriangles::computePartSize() const {
+  return computeMeanPartSize(mesh_.positions, mesh_.triangles);
 }
 
 }  // namespace hlodbench
