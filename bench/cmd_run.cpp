@@ -97,7 +97,7 @@ void addMemoryOption(CLI::App& sub, RunOptions& o) {
          },
          "for the geometry of nodes, bytes, with K, M or G: nodes come from the file when they are "
          "wanted, and those not drawn for the longest time go; until they are there, an ancestor "
-         "is drawn")
+         "is drawn. Where it is too small for all nodes, more than 1G is taken as 1G")
       ->default_str("unlimited");
 }
 

@@ -115,7 +115,7 @@ TEST_F(ResidencyTest, EveryNodeIsDrawnOrAnAncestorOfItOnce) {
         if (chosen != kNoNode) {
           EXPECT_TRUE(drawn.insert(chosen).second);
           // what is drawn lies within the budget
-          EXPECT_LE(residency.offset(chosen) + courtyard.node(chosen).blockBytes(), budget);
+          EXPECT_LE(residency.place(chosen).offset + courtyard.node(chosen).blockBytes(), budget);
         }
         bool found = drawn.contains(id);
         missing += found ? 0 : 1;

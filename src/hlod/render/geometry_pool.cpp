@@ -5,17 +5,19 @@
 
 namespace hlodbench {
 
-GeometryPool::GeometryPool(std::span<const std::byte> bytes) {
-  fillBuffer(GL_ARRAY_BUFFER, buffer_, "node geometry", bytes.data(), bytes.size());
+GeometryPool::GeometryPool(std::span<const std::span<const std::byte>> pages)
+    : pages_(pages.size()) {
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    fillBuffer(GL_ARRAY_BUFFER, pages_[i], "node geometry", pages[i].data(), pages[i].size());
 }
 
-GeometryPool::GeometryPool(std::uint64_t capacity, std::uint64_t largestBlock) {
-  fillBuffer(GL_ARRAY_BUFFER, buffer_, "node geometry", nullptr, capacity, GL_DYNAMIC_DRAW);
+GeometryPool::GeometryPool(std::uint64_t capacity, std::uint64_t largestBlock) : pages_(1) {
+  fillBuffer(GL_ARRAY_BUFFER, pages_[0], "node geometry", nullptr, capacity, GL_DYNAMIC_DRAW);
   fillBuffer(GL_ARRAY_BUFFER, spare_, "block on the move", nullptr, largestBlock, GL_DYNAMIC_COPY);
 }
 
 void GeometryPool::upload(std::uint64_t offset, std::span<const std::byte> block) {
-  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer_);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, pages_[0]);
   glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset),
                   static_cast<GLsizeiptr>(block.size()), block.data());
 }
@@ -30,10 +32,10 @@ void GeometryPool::move(std::uint64_t from, std::uint64_t to, std::uint64_t size
                         static_cast<GLintptr>(place), static_cast<GLsizeiptr>(size));
   };
   if (overlap) {
-    copy(buffer_, from, spare_, 0);
-    copy(spare_, 0, buffer_, to);
+    copy(pages_[0], from, spare_, 0);
+    copy(spare_, 0, pages_[0], to);
   } else {
-    copy(buffer_, from, buffer_, to);
+    copy(pages_[0], from, pages_[0], to);
   }
 }
 

@@ -33,30 +33,33 @@ Renderer::Renderer(const Hierarchy& hierarchy, int width, int height,
                    const RendererOptions& options)
     : hierarchy_(hierarchy),
       options_(options),
-      residency_(hierarchy, options.gpuMemory),
+      residency_(hierarchy, options.gpuMemory, options.mostPageBytes),
       framebuffer_(width, height),
       nodePrograms_{
           Program(makeGlProgram("nodes, lit", shaders::kNodeVertex, shaders::kLitFragment)),
           Program(
               makeGlProgram("nodes, objects", shaders::kObjectVertex, shaders::kObjectFragment)),
           Program(makeGlProgram("nodes, tinted", shaders::kNodeVertex, shaders::kTintedFragment))},
-      boxProgram_(makeGlProgram("boxes", shaders::kBoxVertex, shaders::kBoxFragment)) {
+      boxProgram_(makeGlProgram("boxes", shaders::kBoxVertex, shaders::kBoxFragment)),
+      nodeArrays_(residency_.pages().size()) {
   describeGeometry();
   uploadColors();
   uploadBoxes();
 }
 
-// One buffer holds vertices and indices, block after block as in the file.
+// A page holds vertices and indices, block after block as in the file.
 void Renderer::describeGeometry() {
-  glBindVertexArray(nodeArray_);
-  glBindBuffer(GL_ARRAY_BUFFER, residency_.buffer());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, residency_.buffer());
-  setAttribute(0, 3, GL_FLOAT, false, sizeof(Vertex), offsetof(Vertex, position));
-  // not normalised by OpenGL, whose versions do it differently
-  setAttribute(1, 2, GL_BYTE, false, sizeof(Vertex), offsetof(Vertex, normal));
-  glEnableVertexAttribArray(2);
-  glVertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, sizeof(Vertex),
-                         reinterpret_cast<const void*>(offsetof(Vertex, object)));
+  for (std::size_t page = 0; page < nodeArrays_.size(); ++page) {
+    glBindVertexArray(nodeArrays_[page]);
+    glBindBuffer(GL_ARRAY_BUFFER, residency_.pages()[page]);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, residency_.pages()[page]);
+    setAttribute(0, 3, GL_FLOAT, false, sizeof(Vertex), offsetof(Vertex, position));
+    // not normalised by OpenGL, whose versions do it differently
+    setAttribute(1, 2, GL_BYTE, false, sizeof(Vertex), offsetof(Vertex, normal));
+    glEnableVertexAttribArray(2);
+    glVertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, sizeof(Vertex),
+                           reinterpret_cast<const void*>(offsetof(Vertex, object)));
+  }
 }
 
 void Renderer::uploadColors() {
@@ -142,7 +145,7 @@ void Renderer::setState(State state) {
   else
     glDisable(GL_POLYGON_OFFSET_FILL);
   glUseProgram(boxes ? boxProgram_.program : nodeProgram().program);
-  glBindVertexArray(boxes ? boxArray_ : nodeArray_);
+  glBindVertexArray(boxes ? boxArray_ : nodeArrays_[page_]);
 }
 
 void Renderer::setCulling(bool on) {
@@ -154,18 +157,32 @@ void Renderer::setCulling(bool on) {
     glDisable(GL_CULL_FACE);
 }
 
-Renderer::Kind Renderer::kindOf(const Node& node) const {
+void Renderer::setPage(std::uint32_t page) {
+  if (page == page_) return;
+  page_ = page;
+  glBindVertexArray(nodeArrays_[page]);
+}
+
+void Renderer::setKind(const Kind& kind) {
+  setState(State::kNodes);
+  setCulling(kind.isCulled);
+  setPage(kind.page);
+}
+
+Renderer::Kind Renderer::kindOf(NodeId id) const {
+  const Node& node = hierarchy_.node(id);
   return {options_.culling == FaceCulling::kBackWhereConsistent &&
               (node.flags & kConsistentWinding) != 0,
-          static_cast<GLenum>(node.hasNarrowIndices() ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT)};
+          static_cast<GLenum>(node.hasNarrowIndices() ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT),
+          residency_.place(id).page};
 }
 
 GLint Renderer::firstVertex(NodeId id) const {
-  return static_cast<GLint>(residency_.offset(id) / sizeof(Vertex));
+  return static_cast<GLint>(residency_.place(id).offset / sizeof(Vertex));
 }
 
 const void* Renderer::indexPlace(NodeId id) const {
-  return reinterpret_cast<const void*>(residency_.offset(id) +
+  return reinterpret_cast<const void*>(residency_.place(id).offset +
                                        hierarchy_.node(id).vertexCount * sizeof(Vertex));
 }
 
@@ -173,9 +190,8 @@ void Renderer::drawNode(NodeId wanted) {
   const NodeId id = residency_.choose(wanted);
   if (id == kNoNode) return;
   const Node& node = hierarchy_.node(id);
-  const Kind kind = kindOf(node);
-  setState(State::kNodes);
-  setCulling(kind.isCulled);
+  const Kind kind = kindOf(id);
+  setKind(kind);
   // with the range of indices, a software rasteriser shades each vertex once
   glDrawRangeElementsBaseVertex(GL_TRIANGLES, 0, node.vertexCount > 0 ? node.vertexCount - 1 : 0,
                                 static_cast<GLsizei>(node.indexCount), kind.indexType,
@@ -192,19 +208,17 @@ void Renderer::drawNodes(std::span<const NodeId> nodes) {
 
 void Renderer::drawThere(std::span<const NodeId> nodes) {
   while (!nodes.empty()) {
-    const Kind kind = kindOf(hierarchy_.node(nodes[0]));
+    const Kind kind = kindOf(nodes[0]);
     counts_.clear();
     indexPlaces_.clear();
     firstVertices_.clear();
     for (const NodeId id : nodes) {
-      const Node& node = hierarchy_.node(id);
-      if (kindOf(node) != kind) break;
-      counts_.push_back(static_cast<GLsizei>(node.indexCount));
+      if (kindOf(id) != kind) break;
+      counts_.push_back(static_cast<GLsizei>(hierarchy_.node(id).indexCount));
       indexPlaces_.push_back(indexPlace(id));
       firstVertices_.push_back(firstVertex(id));
     }
-    setState(State::kNodes);
-    setCulling(kind.isCulled);
+    setKind(kind);
     glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts_.data(), kind.indexType, indexPlaces_.data(),
                                   static_cast<GLsizei>(counts_.size()), firstVertices_.data());
     nodes = nodes.subspan(counts_.size());

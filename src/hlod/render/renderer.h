@@ -29,6 +29,9 @@ enum class FaceCulling {
 struct RendererOptions {
   std::uint64_t gpuMemory = kUnlimitedMemory;  // bytes for nodes' geometry, see Residency
   FaceCulling culling = FaceCulling::kNone;
+  // Of one buffer of nodes' geometry. There are several where that is not enough, for drivers that
+  // cannot address larger ones; see kMostPageBytes. Tests set it to have many.
+  std::uint64_t mostPageBytes = kMostPageBytes;
 };
 
 // Draws nodes and boxes of a hierarchy. Knows nothing of why a node is drawn.
@@ -67,16 +70,21 @@ class Renderer {
   enum class State { kNone, kNodes, kBoxes };
   void setState(State state);
   void setCulling(bool on);
+  // Binds the vertex array of a page; for the state kNodes.
+  void setPage(std::uint32_t page);
   // What of a node decides how it is drawn; nodes that share it can be drawn by one call.
   struct Kind {
     bool isCulled;
     GLenum indexType;
+    std::uint32_t page;
     bool operator==(const Kind&) const = default;
   };
-  [[nodiscard]] Kind kindOf(const Node& node) const;
-  // Of a node that is there.
+  // These are of a node that is there.
+  [[nodiscard]] Kind kindOf(NodeId id) const;
   [[nodiscard]] GLint firstVertex(NodeId id) const;
   [[nodiscard]] const void* indexPlace(NodeId id) const;
+  // Makes ready for drawing nodes of this kind.
+  void setKind(const Kind& kind);
   void drawThere(std::span<const NodeId> nodes);
   // A program and the places of its uniforms; -1 where it has none.
   struct Program {
@@ -97,11 +105,13 @@ class Renderer {
   Framebuffer framebuffer_;
   std::array<Program, 3> nodePrograms_;  // by Shading
   Program boxProgram_;
-  GlVertexArray nodeArray_, boxArray_;
+  std::vector<GlVertexArray> nodeArrays_;  // by page
+  GlVertexArray boxArray_;
   GlBuffer colors_, boxCorners_, boxIndices_;
   GlTexture colorTexture_;  // colors_ by object
   State state_ = State::kNone;
   bool isCulling_ = false;
+  std::uint32_t page_ = 0;
   // of one call of drawNodes(), kept for their memory
   std::vector<GLsizei> counts_;
   std::vector<const void*> indexPlaces_;

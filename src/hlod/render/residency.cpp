@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint64_t kMostPending = std::uint64_t{32} << 20;  // bytes asked for at a time
 constexpr std::uint64_t kMostMoved = std::uint64_t{32} << 20;    // bytes a frame
 
-std::optional<BlockCache> makeCache(const Hierarchy& hierarchy, std::uint64_t budget) {
+std::optional<BlockCache> makeCache(const Hierarchy& hierarchy, std::uint64_t budget,
+                                    std::uint64_t mostPageBytes) {
   const std::uint64_t all = hierarchy.geometry.bytes().size();
   if (budget >= all) return std::nullopt;
   const std::uint64_t least = computeLeastBudget(hierarchy);
@@ -21,25 +22,29 @@ std::optional<BlockCache> makeCache(const Hierarchy& hierarchy, std::uint64_t bu
     throw InputError(
         fmt::format("--gpu-memory: expected at least {}K for this hierarchy, found {}K",
                     (least + 1023) / 1024, budget / 1024));
-  return std::optional<BlockCache>(std::in_place, hierarchy, budget);
+  // blocks of a cache move anywhere in it, so it is one page
+  return std::optional<BlockCache>(std::in_place, hierarchy,
+                                   std::max(least, std::min(budget, mostPageBytes)));
 }
 
-GeometryPool makePool(const Hierarchy& hierarchy, bool isLimited, std::uint64_t budget) {
-  if (isLimited) {
-    std::uint64_t largest = 0;
-    for (const Node& node : hierarchy.nodes) largest = std::max(largest, node.blockBytes());
-    return {budget, largest};
+GeometryPool makePool(const Hierarchy& hierarchy, const std::optional<BlockCache>& cache,
+                      const PageLayout& layout) {
+  if (!cache) {
+    for (NodeId id = 0; id < hierarchy.nodes.size(); ++id) checkGeometryHash(hierarchy, id);
+    return GeometryPool(layout.pages);
   }
-  for (NodeId id = 0; id < hierarchy.nodes.size(); ++id) checkGeometryHash(hierarchy, id);
-  return GeometryPool(hierarchy.geometry.bytes());
+  std::uint64_t largest = 0;
+  for (const Node& node : hierarchy.nodes) largest = std::max(largest, node.blockBytes());
+  return {cache->capacity(), largest};
 }
 
 }  // namespace
 
-Residency::Residency(const Hierarchy& hierarchy, std::uint64_t budget)
+Residency::Residency(const Hierarchy& hierarchy, std::uint64_t budget, std::uint64_t mostPageBytes)
     : hierarchy_(hierarchy),
-      cache_(makeCache(hierarchy, budget)),
-      pool_(makePool(hierarchy, cache_.has_value(), budget)) {
+      cache_(makeCache(hierarchy, budget, mostPageBytes)),
+      layout_(cache_ ? PageLayout{} : computePageLayout(hierarchy, mostPageBytes)),
+      pool_(makePool(hierarchy, cache_, layout_)) {
   counters_.residentBytes = hierarchy.geometry.bytes().size();
   if (!cache_) return;
   const std::size_t nodes = hierarchy.nodes.size();

@@ -8,11 +8,15 @@
 #include "hlod/render/block_cache.h"
 #include "hlod/render/block_loader.h"
 #include "hlod/render/geometry_pool.h"
+#include "hlod/render/page_layout.h"
 #include "hlod/tree/hierarchy.h"
 
 namespace hlodbench {
 
 inline constexpr std::uint64_t kUnlimitedMemory = ~std::uint64_t{0};
+// Of a buffer of geometry, bytes: far enough below 2 GiB, from where on a driver that counts bytes
+// of a vertex buffer in 32 bits with a sign, as llvmpipe does, reads elsewhere and crashes.
+inline constexpr std::uint64_t kMostPageBytes = std::uint64_t{1} << 30;
 
 // What became of one frame's nodes.
 struct ResidencyCounters {
@@ -22,16 +26,18 @@ struct ResidencyCounters {
   std::uint64_t residentBytes = 0;  // of nodes, at the frame's start
 };
 
-// Keeps nodes' geometry in one buffer of the GPU: all of it where the budget allows it, else what
-// was drawn last. A thread reads and checks the nodes that were missed; they come when a frame
-// begins. Takes no memory between frames.
+// Keeps nodes' geometry in buffers of the GPU, its pages: all of it where the budget allows it,
+// else, in a single one, what was drawn last. A thread reads and checks the nodes that were missed;
+// they come when a frame begins. Takes no memory between frames.
 class Residency {
  public:
-  // budget: bytes for blocks; the GPU holds one more block of the largest size beside them. Loads
-  // everything, or the root. Throws InputError when a checksum does not match or the budget is
-  // under computeLeastBudget(), std::runtime_error when the driver has no memory. The hierarchy
-  // must outlive it.
-  Residency(const Hierarchy& hierarchy, std::uint64_t budget);
+  // budget: bytes for blocks; the GPU holds one more block of the largest size beside them. One
+  // that is too small for everything is at most a page. mostPageBytes: of a page, unless one block,
+  // or the least budget, is larger. Loads everything, or the root. Throws InputError when a
+  // checksum does not match or the budget is under computeLeastBudget(), std::runtime_error when
+  // the driver has no memory. The hierarchy must outlive it.
+  Residency(const Hierarchy& hierarchy, std::uint64_t budget,
+            std::uint64_t mostPageBytes = kMostPageBytes);
 
   // Lets in what has been read since the last frame, and asks for what that frame missed. Throws
   // InputError when a block was damaged.
@@ -43,13 +49,13 @@ class Residency {
   // are there until the next call. Returns how many. May throw as beginFrame().
   std::size_t loadNow(std::span<const NodeId> nodes);
 
-  // Of a node that is there: bytes into the buffer.
-  [[nodiscard]] std::uint64_t offset(NodeId id) const {
-    return cache_ ? cache_->offset(id) : hierarchy_.node(id).geometryOffset;
+  // Of a node that is there.
+  [[nodiscard]] BlockPlace place(NodeId id) const {
+    return cache_ ? BlockPlace{0, cache_->offset(id)} : layout_.places[id];
   }
   // Whether nodes come and go.
   [[nodiscard]] bool isLimited() const { return cache_.has_value(); }
-  [[nodiscard]] GLuint buffer() const { return pool_.buffer(); }
+  [[nodiscard]] std::span<const GlBuffer> pages() const { return pool_.pages(); }
   [[nodiscard]] const ResidencyCounters& counters() const { return counters_; }
 
  private:
@@ -60,6 +66,7 @@ class Residency {
 
   const Hierarchy& hierarchy_;
   std::optional<BlockCache> cache_;  // not when everything is there
+  PageLayout layout_;                // empty with cache_
   GeometryPool pool_;
   std::vector<std::uint64_t> chosenIn_, wantedIn_;  // by node: the frame of the last time
   std::vector<std::uint8_t> isPending_;             // by node: asked for and not let in yet
