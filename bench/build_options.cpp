@@ -45,7 +45,8 @@ void addBuildOptions(CLI::App& command, BuildOptions& options) {
             options.memory = *bytes;
           },
           "build in about this much memory, in bytes, K, M or G (of 1024), such as 2G; triangles "
-          "then wait in an unnamed temporary file of 40 bytes a triangle in the output's folder; "
+          "then wait in an unnamed temporary file of 40 bytes a triangle in the output's folder, "
+          "and binary little-endian PLY files of triangles are read piece by piece; "
           "default: no limit, no file")
       ->type_name("SIZE");
 }

@@ -62,7 +62,7 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
   // reading takes the small first part of the time
   constexpr double kReading = 0.1;
   const std::unique_ptr<TriangleSource> scene = openScene(
-      scenePath,
+      scenePath, options.memory > 0 ? MeshPlace::kFile : MeshPlace::kMemory,
       [&](const std::string& stage, double share) { line.update(stage, kReading * share); });
   BuildOptions local = options;
   local.temporaryFolder = file.parent_path().empty() ? "." : file.parent_path();

@@ -32,7 +32,7 @@ def write_ply(path, vertices, triangles, binary=False):
     return path
 
 
-def write_relief(path, side=40):
+def write_relief(path, side=40, binary=False):
     """A square wall of hills, 2 side^2 triangles, about 2 units wide, facing +z."""
     vertices, triangles = [], []
     for j in range(side + 1):
@@ -45,7 +45,7 @@ def write_relief(path, side=40):
             a = j * (side + 1) + i
             b, c, d = a + 1, a + side + 1, a + side + 2
             triangles += [(a, b, d), (a, d, c)]
-    return write_ply(path, vertices, triangles)
+    return write_ply(path, vertices, triangles, binary)
 
 
 def write_walls(folder, walls=3):

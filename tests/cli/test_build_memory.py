@@ -7,7 +7,7 @@ import time
 
 import pytest
 from refusal import BAD_INPUT, complain, hlod, place  # noqa: F401 (fixtures)
-from small_scene import write_courtyard, write_walls
+from small_scene import write_courtyard, write_ply, write_relief, write_walls
 from test_bad_output import limit_files, tiny_disk
 
 
@@ -20,6 +20,49 @@ def test_a_limit_changes_no_byte(place):
         assert result.returncode == 0, result.stderr
         files.append(path.read_bytes())
     assert files[0] == files[1] == files[2]
+
+
+def test_a_ply_that_stays_in_its_file_changes_no_byte(place):
+    mesh = write_relief(place.folder / "b.ply", side=60, binary=True)
+    (place.folder / "links").mkdir()
+    link = place.folder / "links" / "b.ply"
+    link.symlink_to(mesh)
+    files = []
+    for name, more in ((mesh, []), (mesh, ["--memory", "256M"]), (link, ["--memory", "256M"])):
+        path = place.folder / "b.hlod"
+        path.unlink(missing_ok=True)
+        result = place.hlodbench("build", name, "-o", path, "--max-triangles", 100, *more)
+        assert result.returncode == 0, result.stderr
+        files.append(path.read_bytes())
+    assert files[0] == files[1] == files[2]
+
+
+def test_a_ply_larger_than_memory(place):
+    """Most of it are vertices that nobody uses, a hole in the file."""
+    unused, corners = 1 << 25, [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+    path = write_ply(place.folder / "b.ply", corners, [(0, 1, 2)], binary=True)
+    head, body = path.read_bytes().split(b"vertex 3\n")
+    head, face = head + f"vertex {3 + unused}\n".encode() + body[:-13], body[-13:]
+    with open(path, "wb") as file:
+        file.write(head)
+        file.seek(12 * unused, os.SEEK_CUR)
+        file.write(face)
+    arguments = ["build", path, "-o", place.folder / "b.hlod", "--memory", "300M"]
+    process = subprocess.Popen([os.environ["HLODBENCH_EXE"], *map(str, arguments)])
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    assert process.returncode == 0
+    assert path.stat().st_size > 384 << 20
+    assert usage.ru_maxrss < 300 << 10  # KiB
+
+
+def test_faults_of_a_ply_that_stays_in_its_file(place):
+    vertices, triangles = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, "nan", 1)], [(0, 1, 2), (1, 2, 3)]
+    path = write_ply(place.folder / "bad.ply", vertices, triangles, binary=True)
+    arguments = [*place.build(path), "--memory", "256M"]
+    place.refuse(arguments, BAD_INPUT, path, "vertex 3 (from 0): expected finite", "nan")
+    path.write_bytes(path.read_bytes()[:-1])
+    place.refuse(arguments, BAD_INPUT, path, "the file ends in face 1 (from 0) of 2")
 
 
 def test_a_hierarchy_built_without_a_limit_is_up_to_date(place):

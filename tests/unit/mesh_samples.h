@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -41,6 +42,14 @@ class MeshReader : public ::testing::Test {
               static_cast<int>(bytes.size()));
     gzclose(out);
     return folder_ / name;
+  }
+  // A file's own path, or that of its unpacked copy when it is packed by the zstd program.
+  fs::path unpack(const fs::path& path) const {
+    if (path.extension() != ".zst") return path;
+    const fs::path copy = folder_ / "model.ply";
+    const std::string command = "zstd -dqcf '" + path.string() + "' > '" + copy.string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    return copy;
   }
   // The message of the InputError that reading must throw; one line that begins with the file.
   std::string readError(const std::string& name, const std::string& bytes) const {

@@ -197,9 +197,9 @@ class TreeBuilder {
 
 BuildOptions adaptToParts(const TriangleSource& source, BuildOptions options, double& smallPart) {
   if (!options.adaptToParts) return options;
-  const std::optional<double> size = source.computePartSize();
-  if (!size || *size >= kSmallPart) return options;
-  smallPart = *size;
+  const double size = source.computePartSize();
+  if (size >= kSmallPart) return options;
+  smallPart = size;
   options.maxTriangles = kSmallPart;
   options.simplifier = kDefaultSimplifier;
   return options;

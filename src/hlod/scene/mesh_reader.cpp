@@ -4,12 +4,12 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <memory>
 #include <system_error>
 
 #include "hlod/core/error.h"
+#include "hlod/scene/mesh_reader_faults.h"
 #include "hlod/scene/mesh_reader_parts.h"
 
 namespace hlodbench {
@@ -31,6 +31,12 @@ void addPolygon(std::span<const std::uint32_t> corners, MeshFile& mesh) {
   for (std::size_t i = 2; i < corners.size(); ++i)
     mesh.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
   if (corners.size() > 3) ++mesh.polygonsSplit;
+}
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return text;
 }
 
 bool Lines::next(std::string_view& line) {
@@ -122,24 +128,12 @@ FileText readBytes(const std::filesystem::path& path, bool gzipped) {
 }
 
 void checkMesh(const FileText& file, const MeshFile& mesh) {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const glm::vec3& p = mesh.positions[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      fail(file, fmt::format("vertex {} (from 0): expected finite coordinates, found {} {} {}", i,
-                             p.x, p.y, p.z));
-  }
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    if (!isFinite(mesh.positions[i])) failOnPosition(file, i, mesh.positions[i]);
   if (mesh.triangles.empty()) fail(file, "expected at least one face, found none");
-  for (const glm::uvec3& t : mesh.triangles) {
-    const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
-    if (glm::length(glm::cross(b - a, c - a)) > 0.0) return;
-  }
-  fail(file, fmt::format("none of the {} triangles has any area", mesh.triangles.size()));
-}
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return text;
+  for (const glm::uvec3& t : mesh.triangles)
+    if (hasArea(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z])) return;
+  failOnArea(file, mesh.triangles.size());
 }
 
 }  // namespace

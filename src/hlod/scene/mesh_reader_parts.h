@@ -1,6 +1,6 @@
 #pragma once
 
-// What the files of the mesh reader share; nobody else includes this.
+// What the readers of mesh files share; nobody else includes this.
 
 #include <charconv>
 #include <cstdint>
@@ -30,6 +30,9 @@ MeshFile readStl(const FileText& file);
 [[noreturn]] void fail(const FileText& file, const std::string& what);
 // Throws InputError "NAME: line LINE: WHAT"; LINE counts from 1.
 [[noreturn]] void failAtLine(const FileText& file, std::uint64_t line, const std::string& what);
+
+// A name's ending in small letters.
+std::string lowerCase(std::string text);
 
 // Adds a polygon as a fan around its first corner; there must be 3 corners or more.
 void addPolygon(std::span<const std::uint32_t> corners, MeshFile& mesh);

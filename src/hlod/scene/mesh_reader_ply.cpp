@@ -55,7 +55,7 @@ MeshFile readPly(FileText file) {
   const std::lock_guard lock(oneAtATime);
   const QuietOpenMesh quiet;
 
-  const PlyHeader header = readPlyHeader(file);
+  const PlyHeader header = readPlyHeader(file, file.bytes.size());
   const std::string plain = writePlainHeader(header);
   file.bytes.replace(0, header.bodyBegin, plain);
   const std::size_t size = file.bytes.size();
@@ -78,9 +78,7 @@ MeshFile readPly(FileText file) {
     in.exceptions(std::ios::goodbit);
     if (!header.binary) in >> std::ws;
     if (in.good() && in.peek() != std::istringstream::traits_type::eof())
-      fail(file,
-           fmt::format("expected the end after {} vertices and {} faces, found {} more bytes",
-                       header.vertices, header.faces, size - static_cast<std::size_t>(in.tellg())));
+      failOnMore(file, header.vertices, header.faces, size - static_cast<std::size_t>(in.tellg()));
   }
   return soup.takeMesh();
 }

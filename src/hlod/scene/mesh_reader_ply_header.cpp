@@ -118,8 +118,8 @@ std::uint64_t smallestRecord(const PlyElement& element, bool binary) {
   return bytes;
 }
 
-void checkSize(const FileText& file, const PlyHeader& header) {
-  const std::uint64_t left = file.bytes.size() - header.bodyBegin + 1;  // last space may be missing
+void checkSize(const FileText& file, std::uint64_t fileBytes, const PlyHeader& header) {
+  const std::uint64_t left = fileBytes - header.bodyBegin + 1;  // last space may be missing
   std::uint64_t needed = 0;
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty() && element.count > 0)
@@ -177,7 +177,7 @@ void checkLists(const FileText& file, const PlyElement& element) {
 
 }  // namespace
 
-PlyHeader readPlyHeader(const FileText& file) {
+PlyHeader readPlyHeader(const FileText& file, std::uint64_t fileBytes) {
   PlyHeader header = parseHeader(file);
   int toFind = 2;
   std::size_t used = 0;
@@ -194,8 +194,12 @@ PlyHeader readPlyHeader(const FileText& file) {
   header.moreElements = used < header.elements.size();
   header.elements.resize(used);
   for (const PlyElement& element : header.elements) checkLists(file, element);
-  checkSize(file, header);
+  checkSize(file, fileBytes, header);
   return header;
+}
+
+std::uint64_t sizeOfPlyType(const std::string& type) {
+  return findType(type)->bytes;
 }
 
 std::string writePlainHeader(const PlyHeader& header) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The header of a PLY file; nobody but the mesh reader includes this.
+// The header of a PLY file; nobody but the readers of PLY includes this.
 
 #include <cstdint>
 #include <string>
@@ -32,9 +32,13 @@ struct PlyHeader {
   std::size_t bodyBegin = 0;  // bytes, from the file's begin
 };
 
+// file: its bytes, at least the header's; fileBytes: how many there are in all.
 // Throws InputError for a header that is cut, not understood, or promises more than the file's
 // bytes can hold, and for records that OpenMesh's reader would misread.
-PlyHeader readPlyHeader(const FileText& file);
+PlyHeader readPlyHeader(const FileText& file, std::uint64_t fileBytes);
+
+// Bytes of a number of one of PlyProperty's types.
+std::uint64_t sizeOfPlyType(const std::string& type);
 
 // A header of the same records without comments, in which every property that is not a coordinate
 // or the faces' corner list has a name that means nothing.

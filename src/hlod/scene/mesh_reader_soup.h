@@ -2,14 +2,12 @@
 
 // Where OpenMesh's readers put what they read; nobody but the mesh reader includes this.
 
-#include <fmt/format.h>
-
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "hlod/core/error.h"
+#include "hlod/scene/mesh_reader_faults.h"
 #include "hlod/scene/mesh_reader_parts.h"
 
 namespace hlodbench::mesh_reader {
@@ -20,7 +18,7 @@ class SoupImporter final : public OpenMesh::IO::BaseImporter {
  public:
   // Faces may name vertices 0 to vertices - 1; errors begin with the file's name.
   SoupImporter(std::string fileName, std::uint64_t vertices)
-      : fileName_(std::move(fileName)), vertices_(vertices) {}
+      : file_{std::move(fileName), {}}, vertices_(vertices) {}
 
   [[nodiscard]] std::size_t pointsSet() const { return pointsSet_; }
   [[nodiscard]] MeshFile takeMesh() { return std::move(mesh_); }
@@ -39,16 +37,12 @@ class SoupImporter final : public OpenMesh::IO::BaseImporter {
     ++pointsSet_;
   }
   OpenMesh::FaceHandle add_face(const VHandles& corners) override {
-    if (corners.size() < 3)
-      throw InputError(fmt::format("{}: face {} (from 0): expected 3 corners or more, found {}",
-                                   fileName_, faces_, corners.size()));
+    if (corners.size() < 3) failOnCorners(file_, faces_, corners.size());
     corners_.clear();
     for (const OpenMesh::VertexHandle corner : corners) {
       // An index of 2^31 or more arrives as a negative one, which is too large without its sign.
       if (static_cast<std::uint64_t>(corner.idx()) >= vertices_)
-        throw InputError(
-            fmt::format("{}: face {} (from 0): expected vertices 0 to {}, found vertex {}",
-                        fileName_, faces_, static_cast<std::int64_t>(vertices_) - 1, corner.idx()));
+        failOnIndex(file_, faces_, vertices_, corner.idx());
       corners_.push_back(static_cast<std::uint32_t>(corner.idx()));
     }
     addPolygon(corners_, mesh_);
@@ -111,7 +105,7 @@ class SoupImporter final : public OpenMesh::IO::BaseImporter {
   void set_status(Face, const Status&) override {}
 
  private:
-  std::string fileName_;
+  FileText file_;  // its name only
   std::uint64_t vertices_;
   std::size_t pointsSet_ = 0;
   std::size_t faces_ = 0;

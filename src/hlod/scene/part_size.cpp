@@ -47,7 +47,8 @@ void joinEqualPositions(std::span<const glm::vec3> positions, VertexSets& sets) 
 
 double computeMeanPartSize(std::span<const glm::vec3> positions,
                            std::span<const glm::uvec3> triangles) {
-  if (triangles.empty()) return 0.0;
+  if (triangles.empty() || triangles.size() > kMostExaminedTriangles)
+    return static_cast<double>(triangles.size());
   VertexSets sets(positions.size());
   joinEqualPositions(positions, sets);
   for (const glm::uvec3& t : triangles) {

@@ -21,11 +21,11 @@ bool isSceneFile(const std::filesystem::path& path) {
 }
 
 // Adds one instance's triangles.
-void addInstance(const PlacedMesh& instance, TriangleMesh& scene) {
+void addInstance(const MeshFile& mesh, const PlacedMesh& instance, TriangleMesh& scene) {
   const auto first = static_cast<std::uint32_t>(scene.positions.size());
-  for (const glm::vec3& position : instance.mesh->positions)
+  for (const glm::vec3& position : mesh.positions)
     scene.positions.emplace_back(instance.toWorld * glm::dvec4(glm::dvec3(position), 1.0));
-  for (const glm::uvec3& t : instance.mesh->triangles)
+  for (const glm::uvec3& t : mesh.triangles)
     scene.triangles.push_back(first + (instance.mirrored ? glm::uvec3(t.x, t.z, t.y) : t));
   const auto object = static_cast<std::uint32_t>(scene.objectTable.size() - 1);
   scene.objects.resize(scene.triangles.size(), object);
@@ -35,8 +35,7 @@ Scene readBareMesh(const std::filesystem::path& path, const Progress& progress) 
   if (progress) progress(fmt::format("reading {}", path.filename().string()), 0.0);
   MeshFile mesh = readMeshFile(path);
   Scene scene;
-  scene.name = path.stem().string();
-  scene.name = scene.name.substr(0, scene.name.find('.', 1));
+  scene.name = nameBareMesh(path);
   scene.mesh.objectTable.push_back({scene.name, choosePaletteColor(0)});
   scene.mesh.objects.assign(mesh.triangles.size(), 0);
   scene.mesh.positions = std::move(mesh.positions);
@@ -82,6 +81,11 @@ class SceneHasher {
 
 }  // namespace
 
+std::string nameBareMesh(const std::filesystem::path& path) {
+  const std::string name = path.stem().string();
+  return name.substr(0, name.find('.', 1));
+}
+
 Scene readScene(const std::filesystem::path& path, const Progress& progress) {
   if (!isSceneFile(path)) return readBareMesh(path, progress);
   const SceneDescription description = readSceneDescription(path);
@@ -89,14 +93,16 @@ Scene readScene(const std::filesystem::path& path, const Progress& progress) {
     if (progress) progress("generating the courtyard", 0.0);
     return {description.name, generateCourtyard(*description.courtyard)};
   }
-  const std::map<std::string, MeshFile> meshes = readMeshes(description, progress);
+  const auto meshes = readMeshes(description, progress, readMeshFile);
+  std::map<std::string, MeshExtent> extents;
+  for (const auto& [key, mesh] : meshes) extents[key] = computeExtent(mesh);
   Scene scene{description.name, {}};
-  const std::vector<PlacedMesh> placed = placeMeshes(path, description, meshes);
+  const std::vector<PlacedMesh> placed = placeMeshes(path, description, extents);
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  for (const PlacedMesh& instance : placed) {
-    vertices += instance.mesh->positions.size();
-    triangles += instance.mesh->triangles.size();
+  for (const InstanceDescription& instance : description.instances) {
+    vertices += extents.at(instance.mesh).vertices;
+    triangles += extents.at(instance.mesh).triangles;
   }
   scene.mesh.positions.reserve(vertices);
   scene.mesh.triangles.reserve(triangles);
@@ -104,7 +110,7 @@ Scene readScene(const std::filesystem::path& path, const Progress& progress) {
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const InstanceDescription& instance = description.instances[i];
     scene.mesh.objectTable.push_back({instance.name, instance.color});
-    addInstance(placed[i], scene.mesh);
+    addInstance(meshes.at(instance.mesh), placed[i], scene.mesh);
   }
   return scene;
 }

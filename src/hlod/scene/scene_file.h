@@ -28,6 +28,9 @@ struct Scene {
 // Throws InputError with the file and the JSON pointer of what is wrong.
 Scene readScene(const std::filesystem::path& path, const Progress& progress = {});
 
+// What a mesh that is a scene of its own is called: "bunny" for bunny.ply.gz.
+std::string nameBareMesh(const std::filesystem::path& path);
+
 // A 64-bit hash (XXH3) of everything the flattened triangles depend on: the scene file's bytes and
 // the bytes of every mesh file (of a generated scene, the generator's version); it says whether a
 // hierarchy built earlier is still the right one.

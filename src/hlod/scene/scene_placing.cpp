@@ -45,41 +45,25 @@ bool staysFinite(const Aabb& box, const glm::dmat4& toWorld) {
 
 }  // namespace
 
-std::map<std::string, MeshFile> readMeshes(const SceneDescription& scene,
-                                           const Progress& progress) {
-  std::map<std::string, MeshFile> meshes;
-  for (const auto& [key, path] : scene.meshes) {
-    const double share = static_cast<double>(meshes.size()) / scene.meshes.size();
-    if (progress) progress(fmt::format("reading {}", path.filename().string()), share);
-    meshes[key] = readMeshFile(path);
-  }
-  if (progress) progress("reading meshes", 1.0);
-  return meshes;
-}
-
 std::vector<PlacedMesh> placeMeshes(const std::filesystem::path& path,
                                     const SceneDescription& scene,
-                                    const std::map<std::string, MeshFile>& meshes) {
-  std::map<std::string, Aabb> boxes;
-  for (const auto& [key, mesh] : meshes)
-    for (const glm::vec3& position : mesh.positions) boxes[key].extend(position);
+                                    const std::map<std::string, MeshExtent>& meshes) {
   const glm::dmat4 upright = computeUprighting(scene.upAxis);
   std::vector<PlacedMesh> placed;
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
   for (const InstanceDescription& instance : scene.instances) {
-    const MeshFile& mesh = meshes.at(instance.mesh);
-    vertices += mesh.positions.size();
-    triangles += mesh.triangles.size();
+    const MeshExtent& mesh = meshes.at(instance.mesh);
+    vertices += mesh.vertices;
+    triangles += mesh.triangles;
     if (std::max(vertices, triangles) > std::numeric_limits<std::uint32_t>::max())
       throw InputError(
           fmt::format("{}: {}: expected fewer than 2^32 vertices and triangles up to "
                       "here, found {} and {}",
                       path.string(), instance.pointer, vertices, triangles));
-    const Aabb& box = boxes.at(instance.mesh);
-    PlacedMesh place{&mesh, upright * instance.placing, false};
-    if (instance.normalize) place.toWorld *= computeNormalizing(box, scene.upAxis);
-    if (!staysFinite(box, place.toWorld))
+    PlacedMesh place{upright * instance.placing, false};
+    if (instance.normalize) place.toWorld *= computeNormalizing(mesh.box, scene.upAxis);
+    if (!staysFinite(mesh.box, place.toWorld))
       throw InputError(
           fmt::format("{}: {}: expected finite coordinates, found a vertex that its "
                       "transform puts too far out for a 32-bit float",

@@ -1,27 +1,48 @@
 #include "hlod/scene/scene_source.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include "hlod/scene/courtyard.h"
-#include "hlod/scene/part_size.h"
+#include "hlod/scene/mesh_source.h"
 #include "hlod/scene/scene_file.h"
 #include "hlod/scene/scene_placing.h"
 
 namespace hlodbench {
 namespace {
 
+using Meshes = std::map<std::string, std::unique_ptr<MeshSource>>;
+
+// One file each at most, of which a process may have open a limited number.
+constexpr std::size_t kMostOpenMeshes = 256;
+
+Meshes openMeshes(const SceneDescription& scene, MeshPlace place, const Progress& progress) {
+  if (scene.meshes.size() > kMostOpenMeshes) place = MeshPlace::kMemory;
+  return readMeshes(scene, progress,
+                    [place](const std::filesystem::path& path) { return openMesh(path, place); });
+}
+
+std::map<std::string, MeshExtent> extentsOf(const Meshes& meshes) {
+  std::map<std::string, MeshExtent> extents;
+  for (const auto& [key, mesh] : meshes) extents[key] = mesh->extent();
+  return extents;
+}
+
 // The triangles of instances of a few meshes.
 class InstanceTriangles final : public TriangleSource {
  public:
   InstanceTriangles(const std::filesystem::path& path, const SceneDescription& scene,
-                    const Progress& progress)
-      : meshes_(readMeshes(scene, progress)), instances_(placeMeshes(path, scene, meshes_)) {
-    for (const InstanceDescription& instance : scene.instances)
+                    MeshPlace place, const Progress& progress)
+      : meshes_(openMeshes(scene, place, progress)),
+        places_(placeMeshes(path, scene, extentsOf(meshes_))) {
+    for (const InstanceDescription& instance : scene.instances) {
+      instances_.push_back(meshes_.at(instance.mesh).get());
       objects_.push_back({instance.name, instance.color});
-    for (const PlacedMesh& instance : instances_)
-      begins_.push_back(begins_.back() + instance.mesh->triangles.size());
+      begins_.push_back(begins_.back() + instances_.back()->extent().triangles);
+    }
   }
 
   [[nodiscard]] std::uint64_t triangleCount() const override { return begins_.back(); }
@@ -40,44 +61,66 @@ class InstanceTriangles final : public TriangleSource {
 
   [[nodiscard]] std::uint64_t memoryBytes() const override {
     std::uint64_t bytes = 0;
-    for (const auto& [key, mesh] : meshes_)
-      bytes +=
-          mesh.positions.size() * sizeof(glm::vec3) + mesh.triangles.size() * sizeof(glm::uvec3);
+    for (const auto& [key, mesh] : meshes_) bytes += mesh->memoryBytes();
     return bytes;
   }
 
-  [[nodiscard]] std::optional<double> computePartSize() const override {
-    std::map<const MeshFile*, double> parts;
+  [[nodiscard]] double computePartSize() const override {
+    std::map<const MeshSource*, double> parts;
     for (const auto& [key, mesh] : meshes_)
-      parts[&mesh] = static_cast<double>(mesh.triangles.size()) /
-                     computeMeanPartSize(mesh.positions, mesh.triangles);
+      parts[mesh.get()] = static_cast<double>(mesh->extent().triangles) / mesh->computePartSize();
     double all = 0.0;
-    for (const PlacedMesh& instance : instances_) all += parts.at(instance.mesh);
+    for (const MeshSource* mesh : instances_) all += parts.at(mesh);
     return static_cast<double>(triangleCount()) / all;
   }
 
  private:
   void readInstance(std::uint32_t number, std::uint64_t first, std::span<SceneTriangle> out) const {
-    const PlacedMesh& instance = instances_[number];
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      const glm::uvec3& t = instance.mesh->triangles[first + i];
-      for (int corner = 0; corner < 3; ++corner) {
-        const glm::dvec3 position(instance.mesh->positions[t[corner]]);
+    instances_[number]->read(first, out);
+    const PlacedMesh& place = places_[number];
+    for (SceneTriangle& triangle : out) {
+      for (glm::vec3& corner : triangle.corners)
         // Adding 0 makes -0 into 0 and changes nothing else.
-        out[i].corners[corner] = glm::vec3(instance.toWorld * glm::dvec4(position, 1.0)) + 0.0f;
-      }
-      if (instance.mirrored) std::swap(out[i].corners[1], out[i].corners[2]);
-      out[i].object = number;
+        corner = glm::vec3(place.toWorld * glm::dvec4(glm::dvec3(corner), 1.0)) + 0.0f;
+      if (place.mirrored) std::swap(triangle.corners[1], triangle.corners[2]);
+      triangle.object = number;
     }
   }
 
-  std::map<std::string, MeshFile> meshes_;
-  std::vector<PlacedMesh> instances_;
+  Meshes meshes_;
+  std::vector<PlacedMesh> places_;            // of the instances
+  std::vector<const MeshSource*> instances_;  // their meshes
   std::vector<SceneObject> objects_;
   std::vector<std::uint64_t> begins_{0};  // the first triangle of each instance; one more
 };
 
-// The triangles of a generated or bare mesh.
+// The triangles of a mesh that is a scene of its own, as stored.
+class BareTriangles final : public TriangleSource {
+ public:
+  BareTriangles(const std::filesystem::path& path, MeshPlace place, const Progress& progress) {
+    if (progress) progress(fmt::format("reading {}", path.filename().string()), 0.0);
+    mesh_ = openMesh(path, place);
+    objects_.push_back({nameBareMesh(path), choosePaletteColor(0)});
+    if (progress) progress("reading meshes", 1.0);
+  }
+  [[nodiscard]] std::uint64_t triangleCount() const override { return mesh_->extent().triangles; }
+  [[nodiscard]] const std::vector<SceneObject>& objects() const override { return objects_; }
+  void read(std::uint64_t first, std::span<SceneTriangle> out) const override {
+    mesh_->read(first, out);
+    for (SceneTriangle& triangle : out) {
+      for (glm::vec3& corner : triangle.corners) corner += 0.0f;  // -0 becomes 0
+      triangle.object = 0;
+    }
+  }
+  [[nodiscard]] std::uint64_t memoryBytes() const override { return mesh_->memoryBytes(); }
+  [[nodiscard]] double computePartSize() const override { return mesh_->computePartSize(); }
+
+ private:
+  std::unique_ptr<MeshSource> mesh_;
+  std::vector<SceneObject> objects_;
+};
+
+// The triangles of a generated mesh.
 class OwnTriangles final : public TriangleSource {
  public:
   explicit OwnTriangles(TriangleMesh mesh) : mesh_(std::move(mesh)), triangles_(mesh_) {}
@@ -89,9 +132,7 @@ class OwnTriangles final : public TriangleSource {
     triangles_.read(first, out);
   }
   [[nodiscard]] std::uint64_t memoryBytes() const override { return triangles_.memoryBytes(); }
-  [[nodiscard]] std::optional<double> computePartSize() const override {
-    return triangles_.computePartSize();
-  }
+  [[nodiscard]] double computePartSize() const override { return triangles_.computePartSize(); }
 
  private:
   TriangleMesh mesh_;
@@ -100,13 +141,12 @@ class OwnTriangles final : public TriangleSource {
 
 }  // namespace
 
-std::unique_ptr<TriangleSource> openScene(const std::filesystem::path& path,
+std::unique_ptr<TriangleSource> openScene(const std::filesystem::path& path, MeshPlace place,
                                           const Progress& progress) {
-  if (path.extension() != ".json")
-    return std::make_unique<OwnTriangles>(readScene(path, progress).mesh);
+  if (path.extension() != ".json") return std::make_unique<BareTriangles>(path, place, progress);
   const SceneDescription scene = readSceneDescription(path);
   if (scene.courtyard) return std::make_unique<OwnTriangles>(readScene(path, progress).mesh);
-  return std::make_unique<InstanceTriangles>(path, scene, progress);
+  return std::make_unique<InstanceTriangles>(path, scene, place, progress);
 }
 
 }  // namespace hlodbench

@@ -41,7 +41,7 @@ void MeshTriangles::read(std::uint64_t first, std::span<SceneTriangle> out) cons
   }
 }
 
-std::optional<double> MeshTriangles::computePartSize() const {
+double MeshTriangles::computePartSize() const {
   return computeMeanPartSize(mesh_.positions, mesh_.triangles);
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,8 +30,8 @@ class TriangleSource {
   virtual void read(std::uint64_t first, std::span<SceneTriangle> out) const = 0;
   // What it keeps in memory, about.
   [[nodiscard]] virtual std::uint64_t memoryBytes() const = 0;
-  // See computeMeanPartSize(); nothing where it would take too much to know.
-  [[nodiscard]] virtual std::optional<double> computePartSize() const { return std::nullopt; }
+  // See computeMeanPartSize().
+  [[nodiscard]] virtual double computePartSize() const = 0;
 };
 
 // The triangles of a mesh in memory, which is kept by reference.
@@ -49,7 +48,7 @@ class MeshTriangles final : public TriangleSource {
   [[nodiscard]] std::uint64_t memoryBytes() const override {
     return mesh_.positions.size() * 12 + mesh_.triangles.size() * 16;
   }
-  [[nodiscard]] std::optional<double> computePartSize() const override;
+  [[nodiscard]] double computePartSize() const override;
 
  private:
   const TriangleMesh& mesh_;

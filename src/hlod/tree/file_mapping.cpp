@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
-#include "hlod/tree/file_io.h"
+#include "hlod/core/file_io.h"
 #include "hlod/tree/mapping_guard.h"
 
 namespace hlodbench {

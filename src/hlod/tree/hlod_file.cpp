@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "hlod/tree/file_io.h"
+#include "hlod/core/file_io.h"
 #include "hlod/tree/hlod_layout.h"
 
 namespace hlodbench {
@@ -71,13 +71,6 @@ void checkSections(const HlodHeader& h, std::uint64_t fileBytes,
     failOnFile(path, "damaged: impossible sizes in its header");
 }
 
-void readAt(int fd, std::uint64_t offset, void* data, std::size_t bytes,
-            const std::filesystem::path& path) {
-  if (::lseek(fd, static_cast<off_t>(offset), SEEK_SET) < 0)
-    failOnFile(path, fmt::format("cannot read: {}", systemReason()));
-  readAll(fd, data, bytes, path);
-}
-
 // Reads and checks the header and the options.
 HlodHeader readHeader(int fd, const std::filesystem::path& path, HlodFileInfo& info) {
   struct stat status {};
@@ -91,7 +84,7 @@ HlodHeader readHeader(int fd, const std::filesystem::path& path, HlodFileInfo& i
   if (fileBytes < kShortest)
     failOnFile(path,
                fmt::format("not a hierarchy file: {} bytes are too few for a header", fileBytes));
-  readAll(fd, &header, std::min<std::uint64_t>(fileBytes, sizeof(header)), path);
+  readAt(fd, 0, &header, std::min<std::uint64_t>(fileBytes, sizeof(header)), path);
   if (std::memcmp(header.magic, kHlodMagic, sizeof(kHlodMagic)) != 0)
     failOnFile(path, "not a hierarchy file: it does not begin with HLODTREE");
   if (header.version != kHlodFileVersion)

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "hlod/core/atomic_file.h"
-#include "hlod/tree/file_io.h"
+#include "hlod/core/file_io.h"
 #include "hlod/tree/geometry_packer.h"
 #include "hlod/tree/hlod_layout.h"
 

@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace hlodbench {
 
@@ -24,6 +26,7 @@ class Descriptor {
   ~Descriptor() {
     if (fd_ >= 0) ::close(fd_);
   }
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return fd_; }
@@ -32,8 +35,9 @@ class Descriptor {
   int fd_;
 };
 
-// Reads the whole of a block; throws InputError with the path and the system's reason, or that the
-// file ended.
-void readAll(int fd, void* data, std::size_t bytes, const std::filesystem::path& path);
+// Reads the whole of a block, which begins at `offset` bytes; several threads may do so at once.
+// Throws InputError with the path and the system's reason, or that the file ended.
+void readAt(int fd, std::uint64_t offset, void* data, std::size_t bytes,
+            const std::filesystem::path& path);
 
 }  // namespace hlodbench
