@@ -64,9 +64,12 @@ def make_walk():
 
 
 def make_orbit():
-    """A camera that goes a part of the way round a body of radius 1, which fills the picture."""
-    return [{"t": t, "eye": [x, 0.5, z], "look_at": [0, 0, 0]}
-            for t, x, z in ((0, -1.0, 2.45), (1.5, 0.0, 2.65), (3, 1.0, 2.45))]
+    """A camera that goes a part of the way round a body of radius 1, and to twice the distance.
+
+    So every size is seen through a whole step of levels of detail, wherever its levels change.
+    """
+    return [{"t": t, "eye": [x * away, 0.2 * away, z * away], "look_at": [0, 0, 0]}
+            for t, away, x, z in ((0, 2.65, -0.4, 0.9), (1.5, 3.75, 0.0, 1.0), (3, 5.3, 0.4, 0.9))]
 
 
 def write_session(path, folder, keyframes):
@@ -152,8 +155,8 @@ def measure(options, model, millions, session, folder):
         cases = [case["summary"] for case in result.data["cases"]
                  if case["strategy"] == strategy]
         for column, counter in (("ms", "frame_ms"), ("dn", "dn"), ("missing", "missing_nodes")):
-            values = [case["counters"][counter]["median" if column == "ms" else "mean"]
-                      for case in cases if counter in case["counters"]]
+            values = [case["counters"][counter]["mean"] for case in cases
+                      if counter in case["counters"]]
             row[f"{key}_{column}"] = sum(values) / len(values) if values else None
     os.unlink(hierarchy)
     return row
