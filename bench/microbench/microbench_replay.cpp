@@ -87,20 +87,33 @@ class BareServices final : public FrameServices {
  public:
   BareServices(Renderer& renderer, QuerySource& queries) : renderer_(renderer), queries_(queries) {}
   void draw(NodeId node) override {
+    ++calls_;
     renderer_.drawNode(node);
     queries_.noteDraw();
   }
-  void issueQuery(NodeId node) override { queries_.issue(node); }
-  bool isAvailable(NodeId node) override { return queries_.isAvailable(node); }
-  std::uint32_t getResult(NodeId node) override { return queries_.getResult(node); }
+  void issueQuery(NodeId node) override {
+    ++calls_;
+    queries_.issue(node);
+  }
+  bool isAvailable(NodeId node) override {
+    ++calls_;
+    return queries_.isAvailable(node);
+  }
+  std::uint32_t getResult(NodeId node) override {
+    ++calls_;
+    return queries_.getResult(node);
+  }
+  [[nodiscard]] std::int64_t calls() const { return calls_; }
 
  private:
   Renderer& renderer_;
   QuerySource& queries_;
+  std::int64_t calls_ = 0;
 };
 
-// The same frames with nothing measured and nothing kept.
+// The same frames with nothing measured and nothing kept, but for how often the strategy calls.
 void replayBare(benchmark::State& state, const Session& session) {
+  std::int64_t calls = 0;
   for (auto _ : state) {
     const auto strategy = findStrategy("coh-b").make(courtyard(), {});
     BareServices services(stage().renderer, stage().queries);
@@ -113,8 +126,11 @@ void replayBare(benchmark::State& state, const Session& session) {
       strategy->renderFrame(camera, services, record, nullptr);
       pacer.endFrame();
     }
+    calls += services.calls();
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(session.poses.size()));
+  const auto frames = state.iterations() * static_cast<std::int64_t>(session.poses.size());
+  state.SetItemsProcessed(frames);
+  state.counters["calls_a_frame"] = static_cast<double>(calls) / static_cast<double>(frames);
 }
 BENCHMARK_CAPTURE(replayBare, walk, walk())->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(replayBare, sky, sky())->Unit(benchmark::kMillisecond)->UseRealTime();

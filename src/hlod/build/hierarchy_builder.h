@@ -15,6 +15,7 @@
 
 namespace hlodbench {
 
+// Triangles; the paper's nodes.
 inline constexpr std::uint32_t kSmallPart = 2000;
 
 struct BuildOptions {
