@@ -3,7 +3,7 @@
 import json
 import re
 
-from small_scene import past_the_walls, write_session, write_walls
+from small_scene import past_the_walls, write_ply, write_relief, write_session, write_walls
 
 
 def options_of(hlodbench, hlod):
@@ -29,6 +29,30 @@ def test_presets_of_build(hlodbench, tmp_path):
     assert again.returncode == 0
     mixed = options_of(hlodbench, hlod)
     assert (mixed["max_triangles"], mixed["error"], mixed["normals"]) == ("400", "rms", "original")
+
+
+def test_best_looks_at_the_size_of_parts(hlodbench, tmp_path):
+    vertices, triangles = [], []
+    for i in range(3000):  # leaflets of two triangles
+        x, y, z = i % 60, i // 60, i % 7
+        triangles += [tuple(len(vertices) + k for k in corners) for corners in ((0, 1, 2), (0, 2, 3))]
+        vertices += [(x, y, z), (x + 0.5, y, z), (x + 0.5, y + 0.5, z + 0.1), (x, y + 0.5, z)]
+    leaves = write_ply(tmp_path / "leaves.ply", vertices, triangles, binary=True)
+    hlod = tmp_path / "a.hlod"
+
+    def build(mesh, *more):
+        hlod.unlink(missing_ok=True)
+        result = hlodbench("build", mesh, "-o", hlod, "--preset", "best", *more)
+        assert result.returncode == 0, result.stderr
+        nodes = int(re.search(r"built (\d+) nodes", result.stderr)[1])
+        return "of small parts, 2 triangles on the average" in result.stderr, nodes
+
+    said, nodes = build(leaves)
+    assert said and nodes > 1
+    content = hlod.read_bytes()
+    assert build(leaves, "--memory", "1G")[0] and hlod.read_bytes() == content
+    assert build(leaves, "--max-triangles", "16000") == (False, 1)
+    assert build(write_relief(tmp_path / "relief.ply", 60)) == (False, 1)
 
 
 def test_preset_of_run_sets_tau_and_faces(hlodbench, tmp_path):
