@@ -61,15 +61,15 @@ TEST(PartSize, DecidesHowLargeNodesAreWhereThatIsAskedFor) {
     return buildHierarchy(mesh, options, report);
   };
   BuildReport small, large, asGiven;
-  const Hierarchy ofSmall = build(spheres(40, 24), small);  // 1104 triangles each
+  const Hierarchy ofSmall = build(spheres(20, 24), small);  // 1104 triangles each
   EXPECT_EQ(small.smallPartSize, 1104.0);
-  EXPECT_GT(ofSmall.nodes.size(), 20u);
+  EXPECT_GT(ofSmall.nodes.size(), 10u);
   EXPECT_LE(small.largestNode, 2u * kSmallPart);
-  build(spheres(2, 150), large);
+  build(spheres(1, 80), large);
   EXPECT_EQ(large.smallPartSize, 0.0);
   EXPECT_GT(large.largestNode, 2u * kSmallPart);
   options.adaptToParts = false;
-  build(spheres(40, 24), asGiven);
+  build(spheres(20, 24), asGiven);
   EXPECT_EQ(asGiven.smallPartSize, 0.0);
   EXPECT_GT(asGiven.largestNode, 2u * kSmallPart);
 }
