@@ -29,10 +29,7 @@ std::optional<BlockCache> makeCache(const Hierarchy& hierarchy, std::uint64_t bu
 
 GeometryPool makePool(const Hierarchy& hierarchy, const std::optional<BlockCache>& cache,
                       const PageLayout& layout) {
-  if (!cache) {
-    for (NodeId id = 0; id < hierarchy.nodes.size(); ++id) checkGeometryHash(hierarchy, id);
-    return GeometryPool(layout.pages);
-  }
+  if (!cache) return GeometryPool(layout.pages);
   std::uint64_t largest = 0;
   for (const Node& node : hierarchy.nodes) largest = std::max(largest, node.blockBytes());
   return {cache->capacity(), largest};
@@ -46,21 +43,26 @@ Residency::Residency(const Hierarchy& hierarchy, std::uint64_t budget, std::uint
       layout_(cache_ ? PageLayout{} : computePageLayout(hierarchy, mostPageBytes)),
       pool_(makePool(hierarchy, cache_, layout_)) {
   counters_.residentBytes = hierarchy.geometry.bytes().size();
-  if (!cache_) return;
+  if (!cache_) {
+    for (NodeId id = 0; id < hierarchy.nodes.size(); ++id) checkGeometryHash(hierarchy, id);
+    return;
+  }
   const std::size_t nodes = hierarchy.nodes.size();
   chosenIn_.assign(nodes, 0);
   wantedIn_.assign(nodes, 0);
   isPending_.assign(nodes, 0);
   for (std::vector<NodeId>* list : {&missing_, &standIns_, &ready_, &requests_})
     list->reserve(nodes);
-  checkGeometryHash(hierarchy, kRoot);
   upload(kRoot);
   counters_.residentBytes = cache_->residentBytes();
   loader_.emplace(hierarchy);
 }
 
+// Checked when it has been copied: what was whole then was whole before, though the file may be cut
+// off at any time.
 void Residency::upload(NodeId id) {
   pool_.upload(cache_->offset(id), hierarchy_.geometryBytes(hierarchy_.node(id)));
+  checkGeometryHash(hierarchy_, id);
 }
 
 void Residency::beginFrame() {
@@ -169,7 +171,6 @@ std::size_t Residency::loadNow(std::span<const NodeId> nodes) {
       placement = cache_->place(id);
     }
     if (placement != BlockCache::Placement::kPlaced) return i;
-    checkGeometryHash(hierarchy_, id);
     upload(id);
     ++counters_.loads;
   }
