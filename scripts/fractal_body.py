@@ -2,7 +2,7 @@
 """Writes a closed fractal body, the same at any number of triangles but for how fine it is.
 
 A cube's faces are cut into n by n squares of two triangles and blown up to a sphere of radius 1,
-whose radius then varies by ridges from half the body's size down to a few edges, as a scan shows
+whose radius then varies by ridges from nearly the body's size down to a few edges, as a scan shows
 what its resolution lets it see. Binary little-endian PLY; takes little memory at any size.
 """
 

@@ -35,7 +35,7 @@ def test_best_looks_at_the_size_of_parts(hlodbench, tmp_path):
     vertices, triangles = [], []
     for i in range(3000):  # leaflets of two triangles
         x, y, z = i % 60, i // 60, i % 7
-        triangles += [tuple(len(vertices) + k for k in corners) for corners in ((0, 1, 2), (0, 2, 3))]
+        triangles += [tuple(len(vertices) + k for k in three) for three in ((0, 1, 2), (0, 2, 3))]
         vertices += [(x, y, z), (x + 0.5, y, z), (x + 0.5, y + 0.5, z + 0.1), (x, y + 0.5, z)]
     leaves = write_ply(tmp_path / "leaves.ply", vertices, triangles, binary=True)
     hlod = tmp_path / "a.hlod"

@@ -1,8 +1,6 @@
 #include "hlod/scene/mesh_source.h"
 
-#include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "hlod/scene/part_size.h"
 #include "hlod/scene/ply_mesh.h"
@@ -32,24 +30,6 @@ class MemoryMesh final : public MeshSource {
 };
 
 }  // namespace
-
-double MeshSource::computePartSize() const {
-  const std::uint64_t count = extent().triangles;
-  if (count > kMostExaminedTriangles) return static_cast<double>(count);
-  std::vector<glm::vec3> corners;
-  std::vector<glm::uvec3> triangles;
-  std::vector<SceneTriangle> piece;
-  for (std::uint64_t first = 0; first < count; first += piece.size()) {
-    piece.resize(std::min<std::uint64_t>(16384, count - first));
-    read(first, piece);
-    for (const SceneTriangle& t : piece) {
-      const auto at = static_cast<std::uint32_t>(corners.size());
-      corners.insert(corners.end(), std::begin(t.corners), std::end(t.corners));
-      triangles.emplace_back(at, at + 1, at + 2);
-    }
-  }
-  return computeMeanPartSize(corners, triangles);
-}
 
 MeshExtent computeExtent(const MeshFile& mesh) {
   MeshExtent extent{mesh.positions.size(), mesh.triangles.size(), {}};

@@ -32,7 +32,7 @@ class MeshSource {
   // What it keeps in memory, about.
   [[nodiscard]] virtual std::uint64_t memoryBytes() const = 0;
   // See computeMeanPartSize(); the same wherever the triangles are kept.
-  [[nodiscard]] virtual double computePartSize() const;
+  [[nodiscard]] virtual double computePartSize() const = 0;
 };
 
 // Where the triangles of a mesh are kept.

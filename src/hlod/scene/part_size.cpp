@@ -47,7 +47,7 @@ void joinEqualPositions(std::span<const glm::vec3> positions, VertexSets& sets) 
 
 double computeMeanPartSize(std::span<const glm::vec3> positions,
                            std::span<const glm::uvec3> triangles) {
-  if (triangles.empty() || triangles.size() > kMostExaminedTriangles)
+  if (triangles.empty() || isTooLargeForParts(positions.size(), triangles.size()))
     return static_cast<double>(triangles.size());
   VertexSets sets(positions.size());
   joinEqualPositions(positions, sets);

@@ -11,6 +11,7 @@
 
 #include "hlod/core/file_io.h"
 #include "hlod/scene/mesh_reader_faults.h"
+#include "hlod/scene/part_size.h"
 #include "hlod/scene/ply_layout.h"
 #include "hlod/scene/ply_vertices.h"
 
@@ -44,6 +45,7 @@ class PlyMesh final : public MeshSource {
   void read(std::uint64_t first, std::span<SceneTriangle> out) const override;
   // read() takes less than 3 MiB a thread, for a moment
   [[nodiscard]] std::uint64_t memoryBytes() const override { return 0; }
+  [[nodiscard]] double computePartSize() const override;
 
   // Looks at the whole file, in the order in which readMeshFile() does, so that of several faults
   // the same is found. False: there are larger faces.
@@ -56,10 +58,31 @@ class PlyMesh final : public MeshSource {
     into.resize(bytes);
     readAt(fd_.get(), records.begin + first * records.size, into.data(), bytes, path_);
   }
+  // Calls body(record, number) with the first `count` records as long as it returns true. Whether
+  // it always did.
+  template <typename Body>
+  bool passOver(const PlyRecords& records, std::uint64_t count, Body&& body) const {
+    std::vector<std::byte> piece;
+    for (std::uint64_t first = 0; first < count; first += kPiece) {
+      const std::uint64_t here = std::min(kPiece, count - first);
+      readRecords(records, first, here * records.size, piece);
+      for (std::uint64_t i = 0; i < here; ++i)
+        if (!body(piece.data() + i * records.size, first + i)) return false;
+    }
+    return true;
+  }
   bool checkFaces(std::uint64_t fileBytes) const;
   bool checkFace(const std::byte* face, std::uint64_t number) const;
   void checkVertices();
   void checkArea() const;
+  // Of what has been checked already: what fails now is a file that is written to.
+  [[nodiscard]] glm::uvec3 cornersAgain(const std::byte* face, std::uint64_t number) const {
+    if (!checkFace(face, number)) failOnFile(path_, "changed while it was read");
+    return {layout_.index(face, 0), layout_.index(face, 1), layout_.index(face, 2)};
+  }
+  void checkAgain(const glm::vec3& position) const {
+    if (!isFinite(position)) failOnFile(path_, "changed while it was read");
+  }
   [[noreturn]] void failInFace(std::uint64_t face) const {
     fail(named_, fmt::format("truncated: the file ends in face {} (from 0) of {}", face,
                              layout_.faces.count));
@@ -81,19 +104,35 @@ void PlyMesh::read(std::uint64_t first, std::span<SceneTriangle> out) const {
     readRecords(layout_.faces, first, count * layout_.faces.size, faces);
     wanted.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
-      const std::byte* const face = faces.data() + i * layout_.faces.size;
-      // again, for a file that is written to
-      if (!checkFace(face, first + i)) failOnFile(path_, "changed while it was read");
+      const glm::uvec3 t = cornersAgain(faces.data() + i * layout_.faces.size, first + i);
       for (unsigned corner = 0; corner < 3; ++corner)
-        wanted.push_back({static_cast<std::uint32_t>(layout_.index(face, corner)), 3 * i + corner});
+        wanted.push_back({t[static_cast<int>(corner)], 3 * i + corner});
     }
     vertices.read(wanted, out.first(count));
     for (const SceneTriangle& triangle : out.first(count))
-      for (const glm::vec3& corner : triangle.corners)
-        if (!isFinite(corner)) failOnFile(path_, "changed while it was read");
+      for (const glm::vec3& corner : triangle.corners) checkAgain(corner);
     out = out.subspan(count);
     first += count;
   }
+}
+
+double PlyMesh::computePartSize() const {
+  if (isTooLargeForParts(extent_.vertices, extent_.triangles))
+    return static_cast<double>(extent_.triangles);
+  std::vector<glm::vec3> positions;
+  positions.reserve(extent_.vertices);
+  passOver(layout_.vertices, extent_.vertices, [&](const std::byte* vertex, std::uint64_t) {
+    positions.push_back(layout_.position(vertex));
+    checkAgain(positions.back());
+    return true;
+  });
+  std::vector<glm::uvec3> triangles;
+  triangles.reserve(extent_.triangles);
+  passOver(layout_.faces, extent_.triangles, [&](const std::byte* face, std::uint64_t number) {
+    triangles.push_back(cornersAgain(face, number));
+    return true;
+  });
+  return computeMeanPartSize(positions, triangles);
 }
 
 bool PlyMesh::check(std::uint64_t fileBytes, bool mayGoOn) {
@@ -110,17 +149,15 @@ bool PlyMesh::checkFaces(std::uint64_t fileBytes) const {
   const PlyRecords& faces = layout_.faces;
   const std::uint64_t bytes = std::min(fileBytes, faces.end()) - faces.begin;
   const std::uint64_t whole = bytes / faces.size;
-  std::vector<std::byte> piece;
-  for (std::uint64_t first = 0; first < whole; first += kPiece) {
-    const std::uint64_t count = std::min(kPiece, whole - first);
-    readRecords(faces, first, count * faces.size, piece);
-    for (std::uint64_t i = 0; i < count; ++i)
-      if (!checkFace(piece.data() + i * faces.size, first + i)) return false;
-  }
+  const bool areTriangles = passOver(
+      faces, whole,
+      [&](const std::byte* face, std::uint64_t number) { return checkFace(face, number); });
+  if (!areTriangles) return false;
   if (whole == faces.count) return true;
   // the face in which the file ends, maybe behind its corners
   const std::uint64_t rest = bytes - whole * faces.size;
   if (rest < layout_.countSize) failInFace(whole);
+  std::vector<std::byte> piece;
   readRecords(faces, whole, rest, piece);
   const std::uint64_t corners = layout_.countCorners(piece.data());
   if (corners > 3) return false;
@@ -145,16 +182,12 @@ bool PlyMesh::checkFace(const std::byte* face, std::uint64_t number) const {
 
 void PlyMesh::checkVertices() {
   const PlyRecords& vertices = layout_.vertices;
-  std::vector<std::byte> piece;
-  for (std::uint64_t first = 0; first < vertices.count; first += kPiece) {
-    const std::uint64_t count = std::min(kPiece, vertices.count - first);
-    readRecords(vertices, first, count * vertices.size, piece);
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const glm::vec3 position = layout_.position(piece.data() + i * vertices.size);
-      if (!isFinite(position)) failOnPosition(named_, first + i, position);
-      extent_.box.extend(position);
-    }
-  }
+  passOver(vertices, vertices.count, [&](const std::byte* vertex, std::uint64_t number) {
+    const glm::vec3 position = layout_.position(vertex);
+    if (!isFinite(position)) failOnPosition(named_, number, position);
+    extent_.box.extend(position);
+    return true;
+  });
 }
 
 void PlyMesh::checkArea() const {
