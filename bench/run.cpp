@@ -195,7 +195,7 @@ class Runner {
 
   std::vector<FrameRecord> replay(const StrategyInfo& info, int repetition, int order,
                                   ProgressLine& line) {
-    const auto strategy = info.make(stored_.hierarchy, options_.traversal);
+    const auto strategy = info.make({stored_.hierarchy, options_.traversal});
     ReplayHooks hooks;
     hooks.isInterrupted = isInterrupted;
     hooks.onFrame = [&](int frame) {

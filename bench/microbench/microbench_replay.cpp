@@ -70,7 +70,7 @@ Stage& stage() {
 // As `hlodbench run` replays: timers, counters, a record a frame, hooks.
 void replayLogged(benchmark::State& state, const Session& session) {
   for (auto _ : state) {
-    const auto strategy = findStrategy("coh-b").make(courtyard(), {});
+    const auto strategy = findStrategy("coh-b").make({courtyard()});
     ReplayHooks hooks;
     int frames = 0;
     hooks.onFrame = [&](int) { ++frames; };
@@ -115,7 +115,7 @@ class BareServices final : public FrameServices {
 void replayBare(benchmark::State& state, const Session& session) {
   std::int64_t calls = 0;
   for (auto _ : state) {
-    const auto strategy = findStrategy("coh-b").make(courtyard(), {});
+    const auto strategy = findStrategy("coh-b").make({courtyard()});
     BareServices services(stage().renderer, stage().queries);
     FramePacer pacer(ReplayOptions().framesInFlight);
     FrameRecord record;
@@ -161,7 +161,7 @@ class NoServices final : public FrameServices {
 
 // The strategy alone; items are visited nodes.
 void traverse(benchmark::State& state, const char* name) {
-  const auto strategy = findStrategy(name).make(courtyard(), {});
+  const auto strategy = findStrategy(name).make({courtyard()});
   ScriptedQuerySource queries([](NodeId node) { return node % 5 == 0 ? 0u : 200u; },
                               courtyard().nodes.size());
   NoServices services(queries);

@@ -24,9 +24,8 @@ class BoolPredictor final : public Predictor {
 
 }  // namespace
 
-std::unique_ptr<Strategy> makeBoolStrategy(const Hierarchy& hierarchy,
-                                           const TraversalOptions& options) {
-  return std::make_unique<CoherentTraversal>(hierarchy, options, Modulation::kNone,
+std::unique_ptr<Strategy> makeBoolStrategy(const StrategyInputs& inputs) {
+  return std::make_unique<CoherentTraversal>(inputs.hierarchy, inputs.options, Modulation::kNone,
                                              std::make_unique<BoolPredictor>());
 }
 

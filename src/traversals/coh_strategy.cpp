@@ -61,9 +61,8 @@ class CohPredictor final : public Predictor {
 
 }  // namespace
 
-std::unique_ptr<Strategy> makeCohStrategy(const Hierarchy& hierarchy,
-                                          const TraversalOptions& options) {
-  return std::make_unique<CoherentTraversal>(hierarchy, options, Modulation::kBias,
+std::unique_ptr<Strategy> makeCohStrategy(const StrategyInputs& inputs) {
+  return std::make_unique<CoherentTraversal>(inputs.hierarchy, inputs.options, Modulation::kBias,
                                              std::make_unique<CohPredictor>());
 }
 

@@ -12,7 +12,7 @@ struct StrategyInfo {
   std::string_view name;         // on the command line and in files
   std::string_view label;        // in tables, as the paper prints it
   std::string_view description;  // one line
-  std::unique_ptr<Strategy> (*make)(const Hierarchy&, const TraversalOptions&);
+  std::unique_ptr<Strategy> (*make)(const StrategyInputs&);
 };
 
 // Every strategy, in the order of the paper's Table 1.

@@ -41,10 +41,10 @@ class SimpPredictor final : public Predictor {
 
 }  // namespace
 
-std::unique_ptr<Strategy> makeSimpStrategy(const Hierarchy& hierarchy,
-                                           const TraversalOptions& options) {
-  return std::make_unique<CoherentTraversal>(hierarchy, options, Modulation::kBias,
-                                             std::make_unique<SimpPredictor>(options.simpEstimate));
+std::unique_ptr<Strategy> makeSimpStrategy(const StrategyInputs& inputs) {
+  return std::make_unique<CoherentTraversal>(
+      inputs.hierarchy, inputs.options, Modulation::kBias,
+      std::make_unique<SimpPredictor>(inputs.options.simpEstimate));
 }
 
 }  // namespace hlodbench

@@ -33,9 +33,9 @@ class StopAndWaitTraversal final : public HierarchyTraversal {
 
 }  // namespace
 
-std::unique_ptr<Strategy> makeStopAndWaitStrategy(const Hierarchy& hierarchy,
-                                                  const TraversalOptions& options) {
-  return std::make_unique<StopAndWaitTraversal>(hierarchy, options, Modulation::kBias);
+std::unique_ptr<Strategy> makeStopAndWaitStrategy(const StrategyInputs& inputs) {
+  return std::make_unique<StopAndWaitTraversal>(inputs.hierarchy, inputs.options,
+                                                Modulation::kBias);
 }
 
 }  // namespace hlodbench

@@ -27,7 +27,7 @@ class Rig {
                                   const ReplayHooks& hooks = {},
                                   const TraversalOptions& traversal = {}, int framesInFlight = 1) {
     const auto queries = wrapQuerySource(glQueries, parseLatency(latency), hierarchy_.nodes.size());
-    const auto made = findStrategy(strategy).make(hierarchy_, traversal);
+    const auto made = findStrategy(strategy).make({hierarchy_, traversal});
     return replaySession(session_, *made, renderer, *queries,
                          {.warmUpFrames = 0, .framesInFlight = framesInFlight}, hooks);
   }

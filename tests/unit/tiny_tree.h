@@ -87,7 +87,7 @@ class ScriptedRun final : public FrameServices {
                   tree.hierarchy.nodes.size()),
         queries_(scripted_, FixedLatencyQuerySource::Unit::kDraws, latencyInDraws,
                  tree.hierarchy.nodes.size()),
-        strategy_(findStrategy(strategy).make(tree.hierarchy, options)) {}
+        strategy_(findStrategy(strategy).make({tree.hierarchy, options})) {}
 
   // Returns the frame's decisions in words: "visit 0 delay, query 0, result 0 stop, draw 0".
   std::string renderFrame() {
