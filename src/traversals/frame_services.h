@@ -15,7 +15,8 @@ class FrameServices {
   // Draws the LOD of a node.
   virtual void draw(NodeId node) = 0;
 
-  // Starts an occlusion query on the node's box; at most one a node and frame.
+  // Starts an occlusion query on the node's box; at most one a node and frame. Its result may be
+  // asked for in this frame or a later one, until the node's next query replaces it.
   virtual void issueQuery(NodeId node) = 0;
 
   // True when getResult() would not have to wait. Costs little; may be asked repeatedly.

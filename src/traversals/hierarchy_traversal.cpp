@@ -90,10 +90,7 @@ void HierarchyTraversal::issueQuery(NodeId node) {
 bool HierarchyTraversal::finishQuery(NodeId node) {
   NodeState& s = state(node);
   const std::uint32_t pixels = services_->getResult(node);
-  // the rasteriser and the analytic area may differ along the outline: a box under a pixel counts
-  // as one, and mu is clamped
-  const double boxPixels =
-      std::max(1.0, computeProjectedArea(*context_.camera, context_.hierarchy.node(node).box));
+  const double boxPixels = computeBoxPixels(node);
   const double mu = std::min(1.0, pixels / boxPixels);
   if (pixels > 0) {
     pullUpVisibility(node);
@@ -111,6 +108,12 @@ bool HierarchyTraversal::finishQuery(NodeId node) {
         .bias = s.bias,
         .stop = s.stopRefinement});
   return pixels > 0;
+}
+
+double HierarchyTraversal::computeBoxPixels(NodeId node) const {
+  // the rasteriser and the analytic area may differ along the outline: a box under a pixel counts
+  // as one, and mu is clamped
+  return std::max(1.0, computeProjectedArea(*context_.camera, context_.hierarchy.node(node).box));
 }
 
 void HierarchyTraversal::traverse(NodeId node) {

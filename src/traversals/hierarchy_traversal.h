@@ -50,6 +50,8 @@ class HierarchyTraversal : public Strategy {
   void issueQuery(NodeId node);
   // Waits for the result, stores bias and stopRefinement; false when no pixel passed.
   bool finishQuery(NodeId node);
+  // Projected area of the node's box, pixels, at least 1: the denominator of mu.
+  [[nodiscard]] double computeBoxPixels(NodeId node) const;
   // Fig. 2, Traverse(): draws the node if refinement stops there, else pushes its children.
   void traverse(NodeId node);
   // Marks the node and all above it as visible.

@@ -95,6 +95,31 @@ TEST_F(QueryTest, AreReusedFromFrameToFrameAndBecomeAvailableByThemselves) {
   EXPECT_LT(next, 100u);
 }
 
+TEST_F(QueryTest, KeepTheirResultsUntilTheNodeIsAskedAgain) {
+  FlatHierarchy flat;
+  const NodeId wall = flat.addBox({{-3, -3, -5}, {0, 3, -4.9f}});
+  const NodeId half = flat.addBox({{-1, -1, -8.1f}, {1, 1, -8}});
+  const NodeId other = flat.addBox({{1, -1, -9}, {2, 1, -8}});
+  Renderer renderer(flat.hierarchy, kSize, kSize);
+  GlQuerySource queries(renderer, flat.hierarchy.nodes.size());
+  const auto ask = [&](NodeId id, bool behindWall) {
+    queries.beginFrame();
+    renderer.beginFrame(camera_);
+    if (behindWall) renderer.drawNode(wall);
+    queries.issue(id);
+    return id;
+  };
+  const std::uint32_t open = queries.getResult(ask(half, false));
+  ask(half, true);
+  for (int frame = 0; frame < 5; ++frame) queries.getResult(ask(other, false));
+  const std::uint32_t hidden = queries.getResult(half);  // five frames later
+  EXPECT_NEAR(static_cast<double>(hidden) / open, 0.5, 0.05);
+  EXPECT_EQ(queries.getResult(half), hidden);
+  // a result that nobody read is replaced by that of the next query
+  ask(half, true);
+  EXPECT_EQ(queries.getResult(ask(half, false)), open);
+}
+
 TEST_F(QueryTest, WaitedForGiveStopAndWaitTheSameCountsAtAnyLatency) {
   const Hierarchy courtyard = buildSmallCourtyard();
   const Session session = makeWalk(8, 160, 120);

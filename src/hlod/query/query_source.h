@@ -6,8 +6,8 @@
 
 namespace hlodbench {
 
-// Where occlusion queries are answered. At most one query a node and frame; results are asked for
-// in the frame in which the query was issued.
+// Where occlusion queries are answered. At most one query a node and frame; its result may be asked
+// for in that frame or a later one, until the node's next query replaces it.
 class QuerySource {
  public:
   virtual ~QuerySource() = default;

@@ -12,18 +12,23 @@ namespace hlodbench {
 class GlQuerySource final : public QuerySource {
  public:
   GlQuerySource(Renderer& renderer, std::size_t nodeCount)
-      : renderer_(renderer), slots_(nodeCount, 0) {}
+      : renderer_(renderer), nodes_(nodeCount) {}
 
-  void beginFrame() override { used_ = 0; }
   void issue(NodeId node) override;
   bool isAvailable(NodeId node) override;
   std::uint32_t getResult(NodeId node) override;
 
  private:
+  static constexpr std::uint32_t kNoQuery = 0xffffffff;
+  struct NodeQuery {
+    std::uint32_t slot = kNoQuery;  // in queries_, while the result has not been read
+    std::uint32_t pixels = 0;       // the result, when it has
+  };
+
   Renderer& renderer_;
-  std::vector<GlQuery> queries_;      // reused from frame to frame
-  std::vector<std::uint32_t> slots_;  // one a node: its query of this frame
-  std::uint32_t used_ = 0;
+  std::vector<GlQuery> queries_;     // reused as soon as a result was read
+  std::vector<std::uint32_t> free_;  // slots
+  std::vector<NodeQuery> nodes_;     // one a node
 };
 
 }  // namespace hlodbench
