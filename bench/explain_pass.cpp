@@ -16,8 +16,7 @@ void storeVisibleParts(const VisibleParts& parts, std::size_t drawn, FrameRecord
   const auto triangles = static_cast<double>(parts.triangles);
   record.set(Counter::kInvisibleNodes, static_cast<double>(drawn - parts.nodes));
   record.set(Counter::kVisibleTriangles, triangles);
-  if (parts.triangles > 0)
-    record.set(Counter::kTrianglesPerVisible, record.get(Counter::kTriangles) / triangles);
+  record.set(Counter::kInvisibleTriangles, record.get(Counter::kTriangles) - triangles);
 }
 
 }  // namespace

@@ -246,7 +246,7 @@ class Runner {
         return tracing || isPictured(frame) || isExplained(frame);
       };
       hooks.onTrace = [&](TracedFrame&& f) {
-        if (isPictured(f.record.frame))
+        if (isPictured(f.record.frame) && info.name != kFullModel)
           fronts.fronts.push_back(computeFront(f.record.frame, f.events));
         if (isExplained(f.record.frame))
           decisions.push_back(collectDecisions(f.record.frame, f.events));

@@ -120,6 +120,12 @@ std::string formatLatexTabular(const TableGrid& grid) {
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
+// A further tabular under its caption; nothing without rows.
+std::string formatLatexPart(const std::string& caption, const TableGrid& grid) {
+  if (grid.rows.empty()) return "";
+  return "\n\\medskip\n" + escapeLatex(caption) + "\n\n\\smallskip\n" + formatLatexTabular(grid);
+}
+
 }  // namespace
 
 std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
@@ -129,6 +135,9 @@ std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
     out += fmt::format("### {}\n\n{}\n\n{}\n{}\n\n", escapeMarkdown(text.title),
                        escapeMarkdown(text.machine), formatMarkdownTable(text.costs),
                        escapeMarkdown(text.ratios));
+    if (!text.why.rows.empty())
+      out +=
+          fmt::format("{}\n\n{}\n", escapeMarkdown(text.whyCaption), formatMarkdownTable(text.why));
     if (!text.quality.rows.empty())
       out += fmt::format("{}\n\n{}\n", escapeMarkdown(text.qualityCaption),
                          formatMarkdownTable(text.quality));
@@ -147,9 +156,8 @@ std::string renderLatex(const std::vector<TableBlock>& blocks) {
     out += fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}}}\n", escapeLatex(text.title));
     // Eight columns fit the text width of the standard classes only when set small and close.
     out += "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n" + formatLatexTabular(text.costs);
-    if (!text.quality.rows.empty())
-      out += "\n\\medskip\n" + escapeLatex(text.qualityCaption) + "\n\n\\smallskip\n" +
-             formatLatexTabular(text.quality);
+    out += formatLatexPart(text.whyCaption, text.why) +
+           formatLatexPart(text.qualityCaption, text.quality);
     out += "\n\\medskip\n\\raggedright\n";
     std::vector<std::string> notes{text.machine, text.ratios};
     notes.insert(notes.end(), text.notes.begin(), text.notes.end());

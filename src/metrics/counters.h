@@ -38,7 +38,7 @@ enum class Counter : std::size_t {
   kNeedlessDelays,
   kInvisibleNodes,
   kVisibleTriangles,
-  kTrianglesPerVisible,
+  kInvisibleTriangles,
   kCount
 };
 
@@ -120,8 +120,9 @@ inline constexpr std::array<CounterInfo, kCounterCount> kCounterTable{{
      Exactness::kExact, "drawn nodes to which no pixel of the picture belongs (--explain)", true},
     {Counter::kVisibleTriangles, "visible_triangles", "visible triangles", "", Better::kNeither,
      Exactness::kExact, "triangles to which a pixel of the picture belongs (--explain)", true},
-    {Counter::kTrianglesPerVisible, "triangles_per_visible", "triangles a visible one", "",
-     Better::kLower, Exactness::kExact, "triangles over visible_triangles (--explain)", true},
+    {Counter::kInvisibleTriangles, "invisible_triangles", "invisible triangles", "", Better::kLower,
+     Exactness::kExact, "drawn triangles to which no pixel of the picture belongs (--explain)",
+     true},
 }};
 
 // One frame's values. A counter that a strategy or a driver does not have is absent (NaN), not 0.
