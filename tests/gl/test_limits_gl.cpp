@@ -1,4 +1,5 @@
 // The limits on a real scene and real queries, and what of a front is seen.
+#include <cmath>
 #include <map>
 
 #include "explain_pass.h"
@@ -118,22 +119,34 @@ TEST_F(SeenParts, TellMoreNodesApartThanAByte) {
 }
 
 TEST_F(SeenParts, TellMoreTrianglesApartThanTwoBytes) {
-  // two squares, their triangles 65536 places apart; between them only points
-  FlatHierarchy flat;
+  // a grid that fills the view, each triangle of a few pixels
+  constexpr int kSide = 190;
+  const Lens lens = makeLens(640, 480);
+  const double halfHeight = 10.0 * std::tan(0.5 * lens.fovyRad);
   std::vector<glm::vec3> positions;
-  for (const float x : {-2.0f, 2.0f})
-    for (const auto& corner : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1)})
-      positions.emplace_back(x + corner.x, corner.y, 0.0f);
-  std::vector<glm::uvec3> triangles(65537, {0, 0, 0});
-  triangles.front() = {0, 1, 2};
-  triangles.back() = {3, 4, 5};
-  const NodeId node = flat.add(positions, triangles);
-  EXPECT_EQ(count(flat, {node}).triangles, 2u);
+  std::vector<glm::uvec3> triangles;
+  for (int y = 0; y <= kSide; ++y)
+    for (int x = 0; x <= kSide; ++x) {
+      const glm::dvec2 at = glm::dvec2(x, y) * 2.0 / double{kSide} - 1.0;
+      positions.emplace_back(at.x * halfHeight * 640.0 / 480.0, at.y * halfHeight, 0.0);
+      if (x == kSide || y == kSide) continue;
+      const unsigned corner = y * (kSide + 1) + x;
+      triangles.emplace_back(corner, corner + 1, corner + kSide + 1);
+      triangles.emplace_back(corner + 1, corner + kSide + 2, corner + kSide + 1);
+    }
+  FlatHierarchy flat;
+  const std::vector<NodeId> nodes{flat.add(positions, triangles)};
+  Renderer renderer(flat.hierarchy, lens.width, lens.height);
+  const Camera camera = makeCamera(lens, lookAt({0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}));
+  const auto parts = countVisibleParts(flat.hierarchy, renderer, camera, nodes);
+  ASSERT_TRUE(parts.has_value());
+  EXPECT_GT(parts->triangles, 65536u);
+  EXPECT_LE(parts->triangles, triangles.size());
 }
 
 TEST_F(SeenParts, AreThoseWithoutWhichThePictureDiffers) {
   const Hierarchy courtyard = buildSmallCourtyard();
-  const Session session = makeWalk(6, kWidth, kHeight);
+  const Session session = makeWalk(3, 80, 60);
   Rig rig(courtyard, session);
   const FrontRecording recording = rig.record();
   std::vector<FrameDecisions> decisions;
