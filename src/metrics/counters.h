@@ -108,9 +108,7 @@ inline constexpr std::array<CounterInfo, kCounterCount> kCounterTable{{
     {Counter::kPredictedRight, "predicted_right", "right", "", Better::kHigher, Exactness::kExact,
      "predictions that say what SW(B) did in this frame (--explain)", true},
     {Counter::kTooConservative, "too_conservative", "too conservative", "", Better::kLower,
-     Exactness::kExact,
-     "predictions to go on or to draw where SW(B) had ended: Refine at its front or below, Refine "
-     "or Stop at or below what it culled (--explain)",
+     Exactness::kExact, "predictions to go on, or to draw, where SW(B) had ended (--explain)",
      true},
     {Counter::kTooAggressive, "too_aggressive", "too aggressive", "", Better::kLower,
      Exactness::kExact, "predictions to stop where SW(B) refined (--explain)", true},
