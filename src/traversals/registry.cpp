@@ -23,7 +23,7 @@ constexpr std::array kStrategies{
                  makeOracleStrategy, true},
     StrategyInfo{"ideal", "Ideal", "limit: Coh(B) with every prediction right, by SW(B)'s record",
                  makeIdealStrategy, true},
-    StrategyInfo{"none", "None", "limit: no occlusion culling, refinement by SSE and frustum",
+    StrategyInfo{"none", "SSE only", "limit: no occlusion culling, refinement by SSE and frustum",
                  makeNoneStrategy},
     StrategyInfo{"full", "Full", "limit: full resolution, every leaf in the frustum",
                  makeFullStrategy},
