@@ -176,6 +176,7 @@ TableText computeTableText(const TableBlock& block) {
                            run.session.frames, run.repetitions);
   text.machine = computeMachineLine(block);
   text.costs = computeCostGrid(block);
+  text.hasLimit = block.hasLimit();
   text.ratios = computeRatioLine(block);
   text.why = computeWhyGrid(block);
   text.whyCaption = computeWhyCaption(block);

@@ -16,10 +16,11 @@ struct TableGrid {
 
 // A block as text, before any markup: what the Markdown and the LaTeX table have in common.
 struct TableText {
-  std::string title;    // scene, session, size
-  std::string machine;  // program, revision, processor, renderer, time
-  TableGrid costs;      // Table 1
-  TableGrid why;        // what explains them; no rows without --explain
+  std::string title;      // scene, session, size
+  std::string machine;    // program, revision, processor, renderer, time
+  TableGrid costs;        // Table 1
+  bool hasLimit = false;  // its last column has the shares of Oracle's FPS
+  TableGrid why;          // what explains them; no rows without --explain
   std::string whyCaption;
   std::string ratios;  // one line
   TableGrid quality;   // of the pictures; no rows without them

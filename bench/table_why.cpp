@@ -38,8 +38,9 @@ std::vector<std::string> computeCells(const TableRow& row) {
 
 TableGrid computeWhyGrid(const TableBlock& block) {
   TableGrid grid;
-  grid.header = {"Scenario",   "Values",         "predictions",     "right",       "conservative",
-                 "aggressive", "needless delay", "invisible nodes", "drawn / seen"};
+  // short, for the width of a page; the caption has the words
+  grid.header = {"Scenario", "Values",   "all",       "right",     "cons.",
+                 "aggr.",    "needless", "invisible", "drawn/seen"};
   for (const TableRow& row : block.rows) {
     if (row.explained.frames == 0) continue;
     grid.groupStarts.push_back(grid.rows.size());
@@ -53,8 +54,8 @@ std::string computeWhyCaption(const TableBlock& block) {
   for (const TableRow& row : block.rows) frames = std::max(frames, row.explained.frames);
   if (frames == 0) return "";
   return fmt::format(
-      "Why, in {} frames of the first repetition. Predictions a frame against SW(B) in the same "
-      "frame: right; too conservative, too aggressive, needless delays. Nodes drawn of which "
+      "Why, in {} frames of the first repetition. Predictions a frame, against SW(B) in the same "
+      "frame: all; right; too conservative, too aggressive, needless delays. Nodes drawn of which "
       "nothing is seen; triangles drawn for one that is seen.",
       frames);
 }

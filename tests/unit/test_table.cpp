@@ -214,7 +214,7 @@ TEST_F(Table, StatesEachStrategyAsAShareOfTheOracle) {
   EXPECT_EQ(rows.back().back(), "–");
   EXPECT_THAT(text, HasSubstr("docs/limits.md"));
   EXPECT_THAT(renderTable({root_ / "a"}, TableFormat::kLatex),
-              HasSubstr(" & 40.0 \\% [25.0, 50.0] \\\\"));
+              HasSubstr("Bool & this run & 40.0 \\% [25.0, 50.0] \\\\"));
   // beside a run without it, which has no such column, or empty fields
   const fs::path without = write("b", makeRun("scene1", 3));
   EXPECT_EQ(parseMarkdown(renderTable({without}, TableFormat::kMarkdown))[0].size(), 8u);
