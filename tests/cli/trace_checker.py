@@ -12,8 +12,8 @@ cannot be read. It shares no code with the program. The traversals are those of
 
 What cannot be known from outside, it takes from the trace: the pixels that passed, with the
 driver's own latency when a result was there, and the predictions of `ideal`, which must then prove
-right. `oracle` decides nothing, so there is nothing to check: refused, exit code 2. Where nine digits are too few to decide, either way
-is right.
+right. `oracle` decides nothing, so there is nothing to check: refused, exit code 2. Where nine
+digits are too few to decide, either way is right.
 """
 
 import heapq
