@@ -20,7 +20,7 @@ void listEverything() {
   for (const OverlayInfo& o : listOverlays()) fmt::print("  {:<14} {}\n", o.name, o.description);
   fmt::print("\nCounters (columns of the frame logs):\n");
   for (const CounterInfo& c : kCounterTable)
-    fmt::print("  {:<14} {}{}{}\n", c.key, c.description, c.unit.empty() ? "" : ", ", c.unit);
+    fmt::print("  {:<21} {}{}{}\n", c.key, c.description, c.unit.empty() ? "" : ", ", c.unit);
 }
 
 }  // namespace

@@ -9,11 +9,18 @@
 #include "number_range.h"
 #include "overlay.h"
 #include "run.h"
+#include "traversals/registry.h"
 
 namespace hlodbench {
 namespace {
 
 constexpr double kLargestSeed = 9007199254740991.0;  // every reader of JSON gets it exactly
+
+std::vector<std::string> nameStrategies() {
+  std::vector<std::string> names;
+  for (const StrategyInfo& info : listStrategies()) names.emplace_back(info.name);
+  return names;
+}
 
 void addTraversalOptions(CLI::App& sub, TraversalOptions& t) {
   sub.add_option("--tau", t.tau, "pixels of error: refine while the error is above it; pixels, > 0")
@@ -61,6 +68,16 @@ void addPictureOptions(CLI::App& sub, RunOptions& o) {
       ->delimiter(',');
 }
 
+void addExplainOption(CLI::App& sub, RunOptions& o) {
+  sub.add_option_function<std::string>(
+         "--explain",
+         [&o](const std::string& text) { o.explain = parseImageSelection(text, "--explain"); },
+         "frames of the first repetition for which to count, after everything was timed, how the "
+         "predictions compare with SW(B) in the same frame and how much of what was drawn is seen: "
+         "all, none, a number of frames or a list, as for --images")
+      ->default_str(o.explain.name());
+}
+
 void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
   sub.add_option("--repetitions", o.repetitions, "replays of the session by each strategy")
       ->capture_default_str()
@@ -79,7 +96,7 @@ void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
       ->capture_default_str();
   sub.add_option("--seed", o.seed,
                  "of the order of the strategies in each repetition, and of "
-                 "--images N")
+                 "--images N and --explain N")
       ->capture_default_str()
       ->check(makeNumberRange(0.0, kLargestSeed));
 }
@@ -112,7 +129,8 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
       ->required();
   sub->add_option("--session", o->session, "camera session (.json)")->required();
   sub->add_option("--out", o->out, "result folder; must be new or empty")->required();
-  sub->add_option("--strategy", o->strategies, "strategies, see `hlodbench list`; comma-separated")
+  sub->add_option("--strategy", o->strategies,
+                  "strategies, see `hlodbench list`; comma-separated, or all")
       ->delimiter(',')
       ->capture_default_str();
   addMemoryOption(*sub, *o);
@@ -120,6 +138,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");
   addMeasuringOptions(*sub, *o);
   addPictureOptions(*sub, *o);
+  addExplainOption(*sub, *o);
   addTraversalOptions(*sub, o->traversal);
   sub->add_option("--trace", o->trace,
                   "write every decision of the first repetition as JSON Lines; with several "
@@ -137,6 +156,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->callback([o, arguments, sub] {
     refuseBuildOptions(*sub, o->scene);
     applyPreset(o->preset, *sub, o->build);
+    if (o->strategies == std::vector<std::string>{"all"}) o->strategies = nameStrategies();
     if (o->preset == Preset::kBest) {
       if (sub->count("--tau") == 0) o->traversal.tau = kBestTau;
       if (sub->count("--faces") == 0) o->faces = FaceCulling::kBackWhereConsistent;

@@ -13,15 +13,15 @@
 namespace hlodbench {
 namespace {
 
-[[noreturn]] void refuse(const std::string& text) {
+[[noreturn]] void refuse(const std::string& text, const std::string& option) {
   throw InputError(fmt::format(
-      "--images: expected all, none, a number of frames or a list like 0,120, found '{}'", text));
+      "{}: expected all, none, a number of frames or a list like 0,120, found '{}'", option, text));
 }
 
-int parseFrame(const std::string& part, const std::string& text) {
+int parseFrame(const std::string& part, const std::string& text, const std::string& option) {
   int frame = 0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), frame);
-  if (error != std::errc() || end != part.data() + part.size() || frame < 0) refuse(text);
+  if (error != std::errc() || end != part.data() + part.size() || frame < 0) refuse(text, option);
   return frame;
 }
 
@@ -41,26 +41,26 @@ std::string ImageSelection::name() const {
   return "";
 }
 
-ImageSelection parseImageSelection(const std::string& text) {
+ImageSelection parseImageSelection(const std::string& text, const std::string& option) {
   using Kind = ImageSelection::Kind;
   if (text == "all") return {Kind::kAll, 0, {}};
   if (text == "none") return {Kind::kNone, 0, {}};
   if (text.find(',') == std::string::npos) {
-    const int count = parseFrame(text, text);
+    const int count = parseFrame(text, text, option);
     return {count > 0 ? Kind::kRandom : Kind::kNone, count, {}};
   }
   ImageSelection selection{Kind::kList, 0, {}};
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    selection.frames.push_back(parseFrame(text.substr(begin, end - begin), text));
+    selection.frames.push_back(parseFrame(text.substr(begin, end - begin), text, option));
     begin = end + 1;
   }
-  if (selection.frames.empty()) refuse(text);
+  if (selection.frames.empty()) refuse(text, option);
   return selection;
 }
 
 std::vector<int> selectFrames(const ImageSelection& selection, int sessionFrames, int warmUpFrames,
-                              std::uint64_t seed) {
+                              std::uint64_t seed, const std::string& option) {
   using Kind = ImageSelection::Kind;
   std::vector<int> frames;
   if (selection.kind == Kind::kAll) {
@@ -81,7 +81,7 @@ std::vector<int> selectFrames(const ImageSelection& selection, int sessionFrames
   for (const int frame : frames)
     if (frame >= sessionFrames)
       throw InputError(
-          fmt::format("--images: expected frames 0 to {}, found {}", sessionFrames - 1, frame));
+          fmt::format("{}: expected frames 0 to {}, found {}", option, sessionFrames - 1, frame));
   std::sort(frames.begin(), frames.end());
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   return frames;

@@ -43,8 +43,8 @@ class PicturePass {
     const View full = drawView(camera, [&] { renderer_.drawNodes(leaves); });
     renderer_.setFaceCulling(culling);
     const DepthImage depth = renderer_.readDepth();
-    const FullPicture& entry = result_.full.emplace_back(
-        FullPicture{frame, write("full", frame, "", full.color), countCoveredPixels(full.objects)});
+    const FullPicture& entry = result_.full.emplace_back(FullPicture{
+        frame, write(kFullModel, frame, "", full.color), countCoveredPixels(full.objects)});
     std::vector<const Front*> fronts;
     for (const StrategyFronts& strategy : strategies) fronts.push_back(find(strategy, frame));
     std::optional<View> reference;

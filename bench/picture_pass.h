@@ -12,6 +12,9 @@
 
 namespace hlodbench {
 
+// Names the pictures of the full-resolution model; no strategy of that name has pictures.
+inline constexpr const char* kFullModel = "full";
+
 // What one strategy drew in the frames that are kept, from one replay.
 struct StrategyFronts {
   std::string strategy, label;

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "case_plan.h"
+#include "explain_pass.h"
 #include "hierarchy_store.h"
 #include "hlod/core/error.h"
 #include "hlod/render/gl_context.h"
@@ -18,6 +19,7 @@
 #include "overlay.h"
 #include "picture_pass.h"
 #include "progress_line.h"
+#include "record_fronts.h"
 #include "result_folder.h"
 #include "run_options_json.h"
 #include "trace_file.h"
@@ -94,6 +96,8 @@ class Runner {
     checkOptions(options, session_);
     imageFrames_ = selectFrames(options.images, static_cast<int>(session_.poses.size()),
                                 options.replay.warmUpFrames, options.seed);
+    explainFrames_ = selectFrames(options.explain, static_cast<int>(session_.poses.size()),
+                                  options.replay.warmUpFrames, options.seed, "--explain");
     // what may be wrong is found out before the scene is built, which may take minutes
     context_ = createContext(options.context, {options.glDebug || kDebugBuild});
     const bool isNewFolder = makeResultFolder(options.out);
@@ -110,6 +114,7 @@ class Runner {
 
   bool runAll() {
     catchInterrupts();
+    if (needsRecording()) record();
     {
       ProgressLine line(fmt::format("replaying {}", session_.name));
       for (std::size_t i = 0; i < plan_.size() && !isInterrupted(); ++i) {
@@ -119,6 +124,7 @@ class Runner {
         writeRunResult(options_.out, result_);
       }
     }
+    const bool isUnexplained = !isInterrupted() ? !explain() : !explainFrames_.empty();
     const bool picturesAreMissing = !isInterrupted() ? !writePictures() : !imageFrames_.empty();
     bool failed = false;
     for (const CaseResult& c : result_.cases)
@@ -130,13 +136,23 @@ class Runner {
     if (!result_.complete)
       fmt::print(stderr, "hlodbench: interrupted; {} of {} replays are complete in {}\n",
                  result_.cases.size(), plan_.size(), options_.out.string());
+    else if (isUnexplained)
+      fmt::print(stderr, "hlodbench: interrupted; counters of --explain are missing in {}\n",
+                 options_.out.string());
     else if (picturesAreMissing)
       fmt::print(stderr, "hlodbench: interrupted; pictures are missing in {}\n",
                  options_.out.string());
-    return result_.complete && !failed && !picturesAreMissing;
+    return result_.complete && !failed && !isUnexplained && !picturesAreMissing;
   }
 
  private:
+  // One replay whose frames are to be explained: what to do it from.
+  struct Replay {
+    std::string strategy;
+    std::vector<FrameDecisions> decisions;
+    std::vector<FrameRecord> records;
+  };
+
   void load() {
     stored_ = openHierarchy(options_.scene, options_.cache, options_.build);
     announce(*context_);
@@ -175,6 +191,23 @@ class Runner {
     result_.repetitions = options_.repetitions;
   }
 
+  [[nodiscard]] bool needsRecording() const {
+    const auto& names = options_.strategies;
+    return !explainFrames_.empty() ||
+           std::any_of(names.begin(), names.end(),
+                       [](const std::string& name) { return findStrategy(name).needsRecording; });
+  }
+
+  // Before anything is timed.
+  void record() {
+    ProgressLine line("recording");
+    recording_ = recordFronts(stored_.hierarchy, options_.traversal, session_, *renderer_,
+                              *queries_, isInterrupted, line.asProgress());
+    if (!isInterrupted()) return;
+    finishRun(result_, plan_);
+    writeRunResult(options_.out, result_);
+  }
+
   void runCase(const CaseKey& key, int order, ProgressLine& line) {
     const StrategyInfo& info = findStrategy(key.strategy);
     CaseResult result{key, std::string(info.label), order, "", std::nullopt, std::nullopt};
@@ -195,7 +228,7 @@ class Runner {
 
   std::vector<FrameRecord> replay(const StrategyInfo& info, int repetition, int order,
                                   ProgressLine& line) {
-    const auto strategy = info.make({stored_.hierarchy, options_.traversal});
+    const auto strategy = info.make({stored_.hierarchy, options_.traversal, &recording_});
     ReplayHooks hooks;
     hooks.isInterrupted = isInterrupted;
     hooks.onFrame = [&](int frame) {
@@ -206,12 +239,17 @@ class Runner {
     };
     std::vector<TracedFrame> traced;
     StrategyFronts fronts{std::string(info.name), std::string(info.label), {}};
+    std::vector<FrameDecisions> decisions;
     const bool tracing = !options_.trace.empty() && repetition == 0;
-    if (repetition == 0 && (tracing || !imageFrames_.empty())) {
-      hooks.isTraced = [&](int frame) { return tracing || isPictured(frame); };
+    if (repetition == 0 && (tracing || !imageFrames_.empty() || !explainFrames_.empty())) {
+      hooks.isTraced = [&](int frame) {
+        return tracing || isPictured(frame) || isExplained(frame);
+      };
       hooks.onTrace = [&](TracedFrame&& f) {
-        if (isPictured(f.record.frame))
+        if (isPictured(f.record.frame) && info.name != kFullModel)
           fronts.fronts.push_back(computeFront(f.record.frame, f.events));
+        if (isExplained(f.record.frame))
+          decisions.push_back(collectDecisions(f.record.frame, f.events));
         // written after the replay, so that the disk takes no part in the timings
         if (tracing) traced.push_back(std::move(f));
       };
@@ -220,11 +258,41 @@ class Runner {
         replaySession(session_, *strategy, *renderer_, *queries_, options_.replay, hooks);
     if (tracing && !isInterrupted()) writeTrace(std::string(info.name), traced);
     if (!fronts.fronts.empty()) fronts_.push_back(std::move(fronts));
+    if (!decisions.empty() && !isInterrupted())
+      explained_.push_back({std::string(info.name), std::move(decisions), records});
     return records;
   }
 
   [[nodiscard]] bool isPictured(int frame) const {
     return std::binary_search(imageFrames_.begin(), imageFrames_.end(), frame);
+  }
+
+  [[nodiscard]] bool isExplained(int frame) const {
+    return std::binary_search(explainFrames_.begin(), explainFrames_.end(), frame);
+  }
+
+  // Adds the counters of --explain to the logs and summaries of the first repetition. Returns
+  // whether all are there.
+  bool explain() {
+    if (explained_.empty()) return true;
+    ProgressLine line("explaining");
+    for (std::size_t i = 0; i < explained_.size(); ++i) {
+      Replay& replay = explained_[i];
+      const Progress progress = [&](const std::string&, double share) {
+        line.update(replay.strategy,
+                    (static_cast<double>(i) + share) / static_cast<double>(explained_.size()));
+      };
+      if (!explainFrames(stored_.hierarchy, *renderer_, session_, recording_, replay.decisions,
+                         isInterrupted, progress, replay.records))
+        return false;
+      for (CaseResult& c : result_.cases) {
+        if (c.key != CaseKey{replay.strategy, 0}) continue;
+        writeFrameCsv(options_.out / c.csv, replay.records);
+        c.summary = computeSummary(replay.records);
+      }
+      writeRunResult(options_.out, result_);
+    }
+    return true;
   }
 
   void writeTrace(const std::string& strategy, const std::vector<TracedFrame>& frames) {
@@ -267,6 +335,9 @@ class Runner {
   std::vector<CaseKey> plan_;
   std::vector<int> imageFrames_;        // ascending
   std::vector<StrategyFronts> fronts_;  // in these frames, of the first repetition
+  std::vector<int> explainFrames_;      // ascending
+  std::vector<Replay> explained_;  // those of the first repetition, where there are such frames
+  FrontRecording recording_;       // of SW(B), where something needs it
   RunResult result_;
 };
 

@@ -30,10 +30,12 @@ struct RunOptions {
   TraversalOptions traversal;
   std::string latency = "gl";
   std::filesystem::path trace;
-  std::uint64_t seed = 1;  // of the order of the strategies in each repetition, and of --images N
+  std::uint64_t seed =
+      1;  // of the order of the strategies in each repetition, and of --images N, --explain N
   std::uint64_t gpuMemory = kUnlimitedMemory;  // bytes for nodes' geometry
   ReplayOptions replay;
   ImageSelection images;  // frames kept as pictures, drawn again in an untimed pass
+  ImageSelection explain{ImageSelection::Kind::kNone, 0, {}};  // frames with counters that explain
   PictureOptions pictures;
   BuildOptions build;
 };

@@ -22,6 +22,7 @@ nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
       {"gpu_memory", options.gpuMemory == kUnlimitedMemory ? nlohmann::json()
                                                            : nlohmann::json(options.gpuMemory)},
       {"images", options.images.name()},
+      {"explain", options.explain.name()},
       {"overlays", options.pictures.overlays},
       {"traced", !options.trace.empty()},
   };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "table_text.h"
 
 namespace hlodbench {
@@ -44,6 +46,12 @@ std::vector<std::string> computeQualityFields(const TableBlock& block, const Tab
   fields[9] = formatNumber(summary->wrongShareMean);
   fields[10] = fmt::format("{}", summary->crackPixels);
   return fields;
+}
+
+std::vector<std::string> computeLimitFields(const TableRow& row) {
+  if (!row.limitShare) return std::vector<std::string>(3);
+  const MedianInterval& interval = row.limitShare->interval;
+  return {formatNumber(interval.median), formatNumber(interval.low), formatNumber(interval.high)};
 }
 
 std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRow& row) {
@@ -93,44 +101,55 @@ std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRo
 }  // namespace
 
 std::string renderCsv(const std::vector<TableBlock>& blocks) {
-  std::string out = formatCsvLine({"folder",
-                                   "scene",
-                                   "session",
-                                   "strategy",
-                                   "label",
-                                   "repetitions",
-                                   "failures",
-                                   "frames",
-                                   "complete",
-                                   "ours_dn",
-                                   "ours_rarn",
-                                   "ours_d",
-                                   "ours_fps",
-                                   "ours_fps_frame_mean",
-                                   "ours_speedup",
-                                   "ours_speedup_low",
-                                   "ours_speedup_high",
-                                   "ours_delayed_share",
-                                   "paper_scene",
-                                   "paper_dn",
-                                   "paper_rarn",
-                                   "paper_d",
-                                   "paper_fps",
-                                   "paper_speedup",
-                                   "paper_delayed_share",
-                                   "pictures",
-                                   "ours_psnr_y",
-                                   "ours_psnr_y_stddev",
-                                   "ours_psnr_cb",
-                                   "ours_psnr_cb_stddev",
-                                   "ours_psnr_cr",
-                                   "ours_psnr_cr_stddev",
-                                   "ours_psnr_identical",
-                                   "ours_psnr_full_y",
-                                   "ours_wrong_share",
-                                   "ours_crack_pixels"});
+  const bool hasLimit = std::any_of(blocks.begin(), blocks.end(),
+                                    [](const TableBlock& block) { return block.hasLimit(); });
+  std::vector<std::string> header{"folder",
+                                  "scene",
+                                  "session",
+                                  "strategy",
+                                  "label",
+                                  "repetitions",
+                                  "failures",
+                                  "frames",
+                                  "complete",
+                                  "ours_dn",
+                                  "ours_rarn",
+                                  "ours_d",
+                                  "ours_fps",
+                                  "ours_fps_frame_mean",
+                                  "ours_speedup",
+                                  "ours_speedup_low",
+                                  "ours_speedup_high",
+                                  "ours_delayed_share",
+                                  "paper_scene",
+                                  "paper_dn",
+                                  "paper_rarn",
+                                  "paper_d",
+                                  "paper_fps",
+                                  "paper_speedup",
+                                  "paper_delayed_share",
+                                  "pictures",
+                                  "ours_psnr_y",
+                                  "ours_psnr_y_stddev",
+                                  "ours_psnr_cb",
+                                  "ours_psnr_cb_stddev",
+                                  "ours_psnr_cr",
+                                  "ours_psnr_cr_stddev",
+                                  "ours_psnr_identical",
+                                  "ours_psnr_full_y",
+                                  "ours_wrong_share",
+                                  "ours_crack_pixels"};
+  if (hasLimit)
+    for (const char* name : {"ours_limit_share", "ours_limit_share_low", "ours_limit_share_high"})
+      header.emplace_back(name);
+  std::string out = formatCsvLine(header);
   for (const TableBlock& block : blocks)
-    for (const TableRow& row : block.rows) out += formatCsvLine(computeCsvFields(block, row));
+    for (const TableRow& row : block.rows) {
+      std::vector<std::string> fields = computeCsvFields(block, row);
+      if (hasLimit)
+        for (std::string& field : computeLimitFields(row)) fields.push_back(std::move(field));
+      out += formatCsvLine(fields);
+    }
   return out;
 }
 

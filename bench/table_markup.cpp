@@ -120,6 +120,25 @@ std::string formatLatexTabular(const TableGrid& grid) {
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
+// A further tabular, under its caption if it has one; nothing without rows.
+std::string formatLatexPart(const std::string& caption, const TableGrid& grid) {
+  if (grid.rows.empty()) return "";
+  const std::string above = caption.empty() ? "" : escapeLatex(caption) + "\n\n\\smallskip\n";
+  return "\n\\medskip\n" + above + formatLatexTabular(grid);
+}
+
+// Moves the last column, where it has something, to a table of its own.
+TableGrid cutLastColumn(TableGrid& grid) {
+  TableGrid cut;
+  cut.header = {grid.header[0], grid.header[1], grid.header.back()};
+  grid.header.pop_back();
+  for (std::vector<std::string>& row : grid.rows) {
+    if (!row.back().empty()) cut.rows.push_back({row[0], row[1], row.back()});
+    row.pop_back();
+  }
+  return cut;
+}
+
 }  // namespace
 
 std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
@@ -129,6 +148,9 @@ std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
     out += fmt::format("### {}\n\n{}\n\n{}\n{}\n\n", escapeMarkdown(text.title),
                        escapeMarkdown(text.machine), formatMarkdownTable(text.costs),
                        escapeMarkdown(text.ratios));
+    if (!text.why.rows.empty())
+      out +=
+          fmt::format("{}\n\n{}\n", escapeMarkdown(text.whyCaption), formatMarkdownTable(text.why));
     if (!text.quality.rows.empty())
       out += fmt::format("{}\n\n{}\n", escapeMarkdown(text.qualityCaption),
                          formatMarkdownTable(text.quality));
@@ -143,13 +165,14 @@ std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
 std::string renderLatex(const std::vector<TableBlock>& blocks) {
   std::string out = "% Needs \\usepackage{booktabs}.\n";
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const TableText text = computeTableText(blocks[i]);
+    TableText text = computeTableText(blocks[i]);
+    // a page is too narrow for nine columns
+    const TableGrid limit = text.hasLimit ? cutLastColumn(text.costs) : TableGrid();
     out += fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}}}\n", escapeLatex(text.title));
     // Eight columns fit the text width of the standard classes only when set small and close.
     out += "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n" + formatLatexTabular(text.costs);
-    if (!text.quality.rows.empty())
-      out += "\n\\medskip\n" + escapeLatex(text.qualityCaption) + "\n\n\\smallskip\n" +
-             formatLatexTabular(text.quality);
+    out += formatLatexPart("", limit) + formatLatexPart(text.whyCaption, text.why) +
+           formatLatexPart(text.qualityCaption, text.quality);
     out += "\n\\medskip\n\\raggedright\n";
     std::vector<std::string> notes{text.machine, text.ratios};
     notes.insert(notes.end(), text.notes.begin(), text.notes.end());

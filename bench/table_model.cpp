@@ -54,6 +54,13 @@ class RowBuilder {
     addCounter(summary, Counter::kNodesVisited, visited_);
     addCounter(summary, Counter::kTraversalMs, traversalMs_);
     addCounter(summary, Counter::kQueryMs, queryMs_);
+    addCounter(summary, Counter::kPredictedRight, right_);
+    addCounter(summary, Counter::kTooConservative, conservative_);
+    addCounter(summary, Counter::kTooAggressive, aggressive_);
+    addCounter(summary, Counter::kNeedlessDelays, needless_);
+    addCounter(summary, Counter::kInvisibleNodes, invisibleNodes_);
+    addCounter(summary, Counter::kVisibleTriangles, visibleTriangles_);
+    addCounter(summary, Counter::kInvisibleTriangles, invisibleTriangles_);
     const auto& dn = summary.get(Counter::kDn);
     if (summary.delayedShare && dn) {
       drawn_ += dn->mean * static_cast<double>(dn->count);
@@ -69,6 +76,14 @@ class RowBuilder {
     row_.fpsFrameMean = fps_.mean();
     row_.traversalUsPerVisit = perVisit(traversalMs_);
     row_.queryUsPerVisit = perVisit(queryMs_);
+    row_.explained = {std::max(right_.count, invisibleNodes_.count),
+                      right_.mean(),
+                      conservative_.mean(),
+                      aggressive_.mean(),
+                      needless_.mean(),
+                      invisibleNodes_.mean(),
+                      visibleTriangles_.mean(),
+                      invisibleTriangles_.mean()};
     if (drawn_ > 0.0) row_.delayedShare = delayed_ / drawn_;
     return std::move(row_);
   }
@@ -88,6 +103,8 @@ class RowBuilder {
 
   TableRow row_;
   PooledMean dn_, rarn_, d_, frameMs_, fps_, visited_, traversalMs_, queryMs_;
+  PooledMean right_, conservative_, aggressive_, needless_;
+  PooledMean invisibleNodes_, visibleTriangles_, invisibleTriangles_;
   double drawn_ = 0.0;
   double delayed_ = 0.0;
 };
@@ -111,6 +128,9 @@ std::vector<TableRow> computeRows(const RunResult& run) {
   for (Speedup& speedup : computeSpeedups(run.cases))
     for (TableRow& row : rows)
       if (row.strategy == speedup.over) row.speedup = std::move(speedup);
+  for (TableRow& row : rows)
+    if (row.strategy != kLimitStrategy)
+      row.limitShare = computeSpeedup(run.cases, row.strategy, kLimitStrategy);
   return rows;
 }
 
@@ -127,6 +147,11 @@ TableRatio computeDnRatio(const TableBlock& block, const char* label, const char
 }
 
 }  // namespace
+
+bool TableBlock::hasLimit() const {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const TableRow& row) { return row.limitShare.has_value(); });
+}
 
 const TableRow* TableBlock::find(const std::string& strategy) const {
   const auto found = std::find_if(rows.begin(), rows.end(),

@@ -12,6 +12,19 @@
 
 namespace hlodbench {
 
+// What explains a strategy's costs (--explain), means over the frames that have it.
+struct ExplainedMeans {
+  std::size_t frames = 0;  // that were explained
+  std::optional<double> right, tooConservative, tooAggressive, needlessDelays;  // predictions
+  std::optional<double> invisibleNodes, visibleTriangles, invisibleTriangles;
+
+  // All predictions of a frame; absent where a strategy makes none.
+  [[nodiscard]] std::optional<double> predictions() const {
+    if (!right || !tooConservative || !tooAggressive || !needlessDelays) return std::nullopt;
+    return *right + *tooConservative + *tooAggressive + *needlessDelays;
+  }
+};
+
 // One strategy of one run, averaged over all measured frames of all repetitions that succeeded.
 struct TableRow {
   std::string strategy;
@@ -25,7 +38,9 @@ struct TableRow {
   std::optional<double> delayedShare;  // D over DN
   // per node taken from the priority queue, microseconds; see Counter::kTraversalMs, kQueryMs
   std::optional<double> traversalUsPerVisit, queryUsPerVisit;
-  std::optional<Speedup> speedup;  // of Coh(B) over this strategy
+  std::optional<Speedup> speedup;     // of Coh(B) over this strategy
+  std::optional<Speedup> limitShare;  // of this strategy over Oracle, at most 1 but for noise
+  ExplainedMeans explained;
 };
 
 // One result folder.
@@ -37,6 +52,8 @@ struct TableBlock {
   std::vector<const PaperScene*> papers;  // whose values stand beside ours
   bool sameScene = false;                 // whether papers is the one scene that ours stands for
 
+  // Whether any row has a share of Oracle's frame rate.
+  [[nodiscard]] bool hasLimit() const;
   // The row of a strategy, or null.
   [[nodiscard]] const TableRow* find(const std::string& strategy) const;
   // The quality of a strategy's pictures, or null.

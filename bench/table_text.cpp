@@ -31,6 +31,15 @@ std::string formatSpeedup(const TableRow& row) {
   return fmt::format("{:.2f} [{:.2f}, {:.2f}]", interval.median, *interval.low, *interval.high);
 }
 
+std::string formatLimitShare(const TableRow& row) {
+  if (row.strategy == kLimitStrategy) return kDash;
+  if (!row.limitShare) return kUnknown;
+  const MedianInterval& interval = row.limitShare->interval;
+  const std::string median = fmt::format("{:.1f} %", 100.0 * interval.median);
+  if (!interval.low || !interval.high) return median;
+  return fmt::format("{} [{:.1f}, {:.1f}]", median, 100.0 * *interval.low, 100.0 * *interval.high);
+}
+
 std::vector<std::string> computeOurCells(const TableRow& row) {
   return {row.label,
           "this run",
@@ -57,12 +66,17 @@ std::vector<std::string> computePaperCells(const PaperRow& row, const PaperScene
 TableGrid computeCostGrid(const TableBlock& block) {
   TableGrid grid;
   grid.header = {"Scenario", "Values", "DN", "RARN", "D", "FPS", "frame FPS", "Speedup [95 %]"};
+  const bool hasLimit = block.hasLimit();
+  if (hasLimit) grid.header.emplace_back("of Oracle's FPS");
   for (const TableRow& row : block.rows) {
     grid.groupStarts.push_back(grid.rows.size());
     grid.rows.push_back(computeOurCells(row));
+    if (hasLimit) grid.rows.back().push_back(formatLimitShare(row));
     for (const PaperScene* scene : block.papers)
-      if (const PaperRow* paper = scene->find(row.strategy))
+      if (const PaperRow* paper = scene->find(row.strategy)) {
         grid.rows.push_back(computePaperCells(*paper, *scene, block.sameScene));
+        grid.rows.back().resize(grid.header.size());
+      }
   }
   return grid;
 }
@@ -162,7 +176,10 @@ TableText computeTableText(const TableBlock& block) {
                            run.session.frames, run.repetitions);
   text.machine = computeMachineLine(block);
   text.costs = computeCostGrid(block);
+  text.hasLimit = block.hasLimit();
   text.ratios = computeRatioLine(block);
+  text.why = computeWhyGrid(block);
+  text.whyCaption = computeWhyCaption(block);
   text.quality = computeQualityGrid(block);
   text.qualityCaption = computeQualityCaption(block);
   text.notes = computeBlockNotes(block);
@@ -173,10 +190,12 @@ std::vector<std::string> computeTableNotes(const std::vector<TableBlock>& blocks
   int fewest = blocks.front().run.warmUpFrames;
   int most = fewest;
   bool hasSimp = false;
+  bool hasLimit = false;
   for (const TableBlock& block : blocks) {
     fewest = std::min(fewest, block.run.warmUpFrames);
     most = std::max(most, block.run.warmUpFrames);
     hasSimp = hasSimp || block.find("simp-b") != nullptr;
+    hasLimit = hasLimit || block.hasLimit();
   }
   const std::string warmUp =
       fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most);
@@ -189,6 +208,10 @@ std::vector<std::string> computeTableNotes(const std::vector<TableBlock>& blocks
       "Speedup: of Coh(B) over the row, median over repetitions of the FPS ratio within a "
       "repetition, with its 95 % bootstrap interval.",
       "Paper: " + paperTable1().citation};
+  if (hasLimit)
+    notes.push_back(
+        "of Oracle's FPS: of the row's FPS over Oracle's, which draws the recorded front of SW(B) "
+        "and does nothing else; median and interval as for Speedup. See docs/limits.md.");
   if (hasSimp) notes.push_back("* reconstruction, see docs/deviations.md; not the authors' method");
   return notes;
 }

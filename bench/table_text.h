@@ -16,11 +16,14 @@ struct TableGrid {
 
 // A block as text, before any markup: what the Markdown and the LaTeX table have in common.
 struct TableText {
-  std::string title;    // scene, session, size
-  std::string machine;  // program, revision, processor, renderer, time
-  TableGrid costs;      // Table 1
-  std::string ratios;   // one line
-  TableGrid quality;    // of the pictures; no rows without them
+  std::string title;      // scene, session, size
+  std::string machine;    // program, revision, processor, renderer, time
+  TableGrid costs;        // Table 1
+  bool hasLimit = false;  // its last column has the shares of Oracle's FPS
+  TableGrid why;          // what explains them; no rows without --explain
+  std::string whyCaption;
+  std::string ratios;  // one line
+  TableGrid quality;   // of the pictures; no rows without them
   std::string qualityCaption;
   std::vector<std::string> notes;  // of this block: failures, what is missing, warnings
 };
@@ -29,6 +32,10 @@ struct TableText {
 inline constexpr std::size_t kFirstNumberColumn = 2;
 
 TableText computeTableText(const TableBlock& block);
+
+// The table of what explains the costs; no rows when the run explained no frame.
+TableGrid computeWhyGrid(const TableBlock& block);
+std::string computeWhyCaption(const TableBlock& block);
 
 // The table of picture quality; no rows when the run made no pictures.
 TableGrid computeQualityGrid(const TableBlock& block);

@@ -117,9 +117,20 @@ def make_row(record, paper):
         "label": record["label"],
         "cells": cells,
         "frame_fps": format_fixed(parse(record["ours_fps_frame_mean"]), 1),
+        "limit_share": format_share(record),
         "repetitions": record["repetitions"],
         "failures": int(record["failures"]),
     }
+
+
+def format_share(record):
+    """The share of Oracle's FPS with its interval, per cent; empty where the run has none."""
+    share, low, high = (parse(record.get(f"ours_limit_share{end}", ""))
+                        for end in ("", "_low", "_high"))
+    if share is None:
+        return ""
+    interval = "" if low is None or high is None else f" [{100 * low:.1f}, {100 * high:.1f}]"
+    return f"{100 * share:.1f} %{interval}"
 
 
 def format_printed(key, text):

@@ -13,6 +13,9 @@ COUNTERS = {
     "queries": ("queries issued", "", 2),
     "triangles": ("triangles drawn", "", 2),
     "nodes_visited": ("nodes visited", "", 2),
+    "queries_wasted": ("queries that confirmed a Stop", "", 2),
+    "repeated_delays": ("delays that repeated the last frame", "", 2),
+    "front_change": ("nodes drawn in one of two frames only", "", 2),
     "frame_ms": ("frame time", "ms", 3),
     "cpu_ms": ("processor time", "ms", 3),
     "wait_ms": ("waiting for queries", "ms", 3),
@@ -21,6 +24,13 @@ COUNTERS = {
     "loads": ("nodes loaded", "", 2),
     "evictions": ("nodes evicted", "", 2),
     "resident_mib": ("geometry on the GPU", "MiB", 2),
+    "predicted_right": ("predictions: right", "", 2),
+    "too_conservative": ("predictions: too conservative", "", 2),
+    "too_aggressive": ("predictions: too aggressive", "", 2),
+    "needless_delays": ("predictions: needless delay", "", 2),
+    "invisible_nodes": ("nodes drawn, nothing seen", "", 2),
+    "visible_triangles": ("triangles seen", "", 2),
+    "invisible_triangles": ("triangles drawn, not seen", "", 2),
 }
 OTHER_DIGITS = 3
 NO_COUNTERS = ("frame", "warm_up")

@@ -25,19 +25,26 @@ std::vector<std::string> computeStrategies(const std::vector<CaseResult>& cases)
 
 }  // namespace
 
+std::optional<Speedup> computeSpeedup(const std::vector<CaseResult>& cases,
+                                      const std::string& strategy, const std::string& over,
+                                      const BootstrapOptions& options) {
+  Speedup speedup{strategy, over, {}, {}};
+  const std::map<int, double> reference = computeFpsByRepetition(cases, strategy);
+  for (const auto& [repetition, fps] : computeFpsByRepetition(cases, over))
+    if (const auto found = reference.find(repetition); found != reference.end())
+      speedup.ratios.push_back(found->second / fps);
+  if (speedup.ratios.empty()) return std::nullopt;
+  speedup.interval = computeMedianInterval(speedup.ratios, options);
+  return speedup;
+}
+
 std::vector<Speedup> computeSpeedups(const std::vector<CaseResult>& cases,
                                      const std::string& strategy, const BootstrapOptions& options) {
   std::vector<Speedup> speedups;
-  const std::map<int, double> reference = computeFpsByRepetition(cases, strategy);
   for (const std::string& over : computeStrategies(cases)) {
     if (over == strategy) continue;
-    Speedup speedup{strategy, over, {}, {}};
-    for (const auto& [repetition, fps] : computeFpsByRepetition(cases, over))
-      if (const auto found = reference.find(repetition); found != reference.end())
-        speedup.ratios.push_back(found->second / fps);
-    if (speedup.ratios.empty()) continue;
-    speedup.interval = computeMedianInterval(speedup.ratios, options);
-    speedups.push_back(std::move(speedup));
+    if (auto speedup = computeSpeedup(cases, strategy, over, options))
+      speedups.push_back(std::move(*speedup));
   }
   return speedups;
 }

@@ -89,6 +89,14 @@ struct RunResult {
 // The strategy whose speedup over the others a run states (paper, Table 1).
 inline constexpr const char* kReferenceStrategy = "coh-b";
 
+// The strategy whose frame rate is the limit: each other one's is also stated as a share of it.
+inline constexpr const char* kLimitStrategy = "oracle";
+
+// Of `strategy` over `over`; absent without a repetition in which both have a frame rate.
+std::optional<Speedup> computeSpeedup(const std::vector<CaseResult>& cases,
+                                      const std::string& strategy, const std::string& over,
+                                      const BootstrapOptions& options = {});
+
 // Speedup of `strategy` over every other one, in the order in which these first appear. Cases that
 // failed or have no frame time take no part; a pair without a common repetition is left out.
 std::vector<Speedup> computeSpeedups(const std::vector<CaseResult>& cases,

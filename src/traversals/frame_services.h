@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hlod/tree/hierarchy.h"
 
@@ -14,6 +15,12 @@ class FrameServices {
 
   // Draws the LOD of a node.
   virtual void draw(NodeId node) = 0;
+
+  // Draws the LODs of nodes, in this order: the picture of draw() for each, by the fastest way that
+  // there is.
+  virtual void drawAll(std::span<const NodeId> nodes) {
+    for (const NodeId node : nodes) draw(node);
+  }
 
   // Starts an occlusion query on the node's box; at most one a node and frame. Its result may be
   // asked for in this frame or a later one, until the node's next query replaces it.

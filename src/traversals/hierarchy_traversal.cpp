@@ -20,15 +20,25 @@ void HierarchyTraversal::renderFrame(const Camera& camera, FrameServices& servic
   frustum_ = Frustum(camera);
   services_ = &services;
   trace_ = trace;
+  drawnInLastFrame_ = counts_.drawn;
   counts_ = {};
   doFrame();
+  storeCounts(record);
+}
+
+void HierarchyTraversal::storeCounts(FrameRecord& record) const {
   record.set(Counter::kDn, counts_.drawn);
+  record.set(Counter::kTriangles, static_cast<double>(counts_.triangles));
+  record.set(Counter::kNodesVisited, counts_.visited);
+  if (context_.frame > 0)
+    record.set(Counter::kFrontChange, counts_.drawn + drawnInLastFrame_ - 2 * counts_.drawnAgain);
+  if (!asksQueries()) return;
   record.set(Counter::kRarn, counts_.refinedAfterRender);
   record.set(Counter::kD, counts_.delayedDrawn);
   record.set(Counter::kDelays, counts_.delays);
   record.set(Counter::kQueries, counts_.queries);
-  record.set(Counter::kTriangles, static_cast<double>(counts_.triangles));
-  record.set(Counter::kNodesVisited, counts_.visited);
+  record.set(Counter::kQueriesWasted, counts_.queriesWasted);
+  record.set(Counter::kRepeatedDelays, counts_.repeatedDelays);
 }
 
 void HierarchyTraversal::push(NodeId node) {
@@ -56,6 +66,8 @@ bool HierarchyTraversal::isInsideViewFrustum(NodeId node) {
 
 void HierarchyTraversal::beginVisit(NodeId node, Prediction prediction) {
   NodeState& s = state(node);
+  s.stoppedBefore =
+      context_.wasVisible(node) ? std::optional<bool>(s.stopRefinement) : std::nullopt;
   s.visible = false;
   s.lastVisited = context_.frame;
   s.stopRefinement = prediction != Prediction::kRefine;
@@ -78,6 +90,7 @@ void HierarchyTraversal::decideNear(NodeId node) {
   pullUpVisibility(node);
   state(node).bias = 1.0;  // B(1)
   state(node).stopRefinement = isWithinTolerance(node);
+  noteRepeatedDelay(state(node));
   traverse(node);
 }
 
@@ -92,10 +105,13 @@ bool HierarchyTraversal::finishQuery(NodeId node) {
   const std::uint32_t pixels = services_->getResult(node);
   const double boxPixels = computeBoxPixels(node);
   const double mu = std::min(1.0, pixels / boxPixels);
+  const bool isDrawnAlready = s.stopRefinement && !s.delayed;  // predicted Stop
   if (pixels > 0) {
     pullUpVisibility(node);
     s.bias = modulation_ == Modulation::kBias ? computeBias(mu, options_.bias) : 1.0;
     s.stopRefinement = isWithinTolerance(node);
+    if (isDrawnAlready && s.stopRefinement) ++counts_.queriesWasted;
+    noteRepeatedDelay(s);
   } else if (options_.zeroPixels == ZeroPixels::kZeroBias) {
     // deviation: Fig. 2 leaves the old bias in place; see docs/deviations.md
     s.bias = modulation_ == Modulation::kBias ? computeBias(0.0, options_.bias) : 1.0;
@@ -134,6 +150,7 @@ void HierarchyTraversal::render(NodeId node) {
   // a node drawn on a Stop whose result confirms it comes here again; Fig. 2 leaves out this guard,
   // which the demo program of Bittner et al. has
   if (s.lastRendered == context_.frame) return;
+  if (s.lastRendered == context_.frame - 1) ++counts_.drawnAgain;
   s.lastRendered = context_.frame;
   ++counts_.drawn;
   if (s.delayed) ++counts_.delayedDrawn;

@@ -56,6 +56,8 @@ class HierarchyTraversal : public Strategy {
   void traverse(NodeId node);
   // Marks the node and all above it as visible.
   void pullUpVisibility(NodeId node);
+  // Whether the error, modulated by the node's bias, is small enough to draw it; true for a leaf.
+  [[nodiscard]] bool isWithinTolerance(NodeId node) const;
 
   [[nodiscard]] NodeState& state(NodeId node) { return context_.states[node]; }
   [[nodiscard]] FrameServices& services() { return *services_; }
@@ -66,11 +68,20 @@ class HierarchyTraversal : public Strategy {
 
   struct Counts {
     int drawn = 0, refinedAfterRender = 0, delayedDrawn = 0, delays = 0, queries = 0, visited = 0;
+    int queriesWasted = 0, repeatedDelays = 0;
+    int drawnAgain = 0;  // of drawn: in the last frame, too
     std::uint64_t triangles = 0;
   };
 
+  // A traversal without queries has none of the counters about them.
+  [[nodiscard]] virtual bool asksQueries() const { return true; }
+
   void render(NodeId node);
-  [[nodiscard]] bool isWithinTolerance(NodeId node) const;
+  // Counts a delay that the last frame's decision would have spared.
+  void noteRepeatedDelay(const NodeState& s) {
+    if (s.delayed && s.stoppedBefore == s.stopRefinement) ++counts_.repeatedDelays;
+  }
+  void storeCounts(FrameRecord& record) const;
   void note(const TraceEvent& event) {
     if (trace_ != nullptr) trace_->push_back(event);
   }
@@ -83,6 +94,7 @@ class HierarchyTraversal : public Strategy {
   FrameServices* services_ = nullptr;
   Trace* trace_ = nullptr;
   Counts counts_;
+  int drawnInLastFrame_ = 0;
 };
 
 }  // namespace hlodbench

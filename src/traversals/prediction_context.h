@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "hlod/tree/hierarchy.h"
@@ -16,6 +17,8 @@ struct NodeState {
   bool visible = false;         // some pixel of it, or below it, was seen in frame lastVisited
   bool stopRefinement = false;  // the front ended here in frame lastVisited
   bool delayed = false;         // predicted Delay in frame lastVisited
+  // stopRefinement of the frame before lastVisited, where the node was visible in it
+  std::optional<bool> stoppedBefore;
 };
 
 // What a prediction may be based on: the hierarchy, the last frame's states, this frame's camera.

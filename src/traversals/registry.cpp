@@ -19,6 +19,14 @@ constexpr std::array kStrategies{
                  makeSimpStrategy},
     StrategyInfo{"coh-b", "Coh(B)", "prediction by temporal coherence, VMSSE; the paper's method",
                  makeCohStrategy},
+    StrategyInfo{"oracle", "Oracle", "limit: draws the recorded front of SW(B), with no query",
+                 makeOracleStrategy, true},
+    StrategyInfo{"ideal", "Ideal", "limit: Coh(B) with every prediction right, by SW(B)'s record",
+                 makeIdealStrategy, true},
+    StrategyInfo{"none", "SSE only", "limit: no occlusion culling, refinement by SSE and frustum",
+                 makeNoneStrategy},
+    StrategyInfo{"full", "Full", "limit: full resolution, every leaf in the frustum",
+                 makeFullStrategy},
 };
 
 }  // namespace

@@ -13,9 +13,10 @@ struct StrategyInfo {
   std::string_view label;        // in tables, as the paper prints it
   std::string_view description;  // one line
   std::unique_ptr<Strategy> (*make)(const StrategyInputs&);
+  bool needsRecording = false;  // make() throws without StrategyInputs::recording
 };
 
-// Every strategy, in the order of the paper's Table 1.
+// Every strategy: those of the paper in the order of its Table 1, then limits to compare with.
 std::span<const StrategyInfo> listStrategies();
 
 // Throws InputError, listing the known names, for one that is not known.

@@ -13,5 +13,11 @@ std::unique_ptr<Strategy> makeBoolStrategy(const StrategyInputs&);
 std::unique_ptr<Strategy> makeStopAndWaitStrategy(const StrategyInputs&);
 std::unique_ptr<Strategy> makeSimpStrategy(const StrategyInputs&);
 std::unique_ptr<Strategy> makeCohStrategy(const StrategyInputs&);
+// Limits to compare with. These throw std::invalid_argument without StrategyInputs::recording:
+std::unique_ptr<Strategy> makeOracleStrategy(const StrategyInputs&);
+std::unique_ptr<Strategy> makeIdealStrategy(const StrategyInputs&);
+// and these do without.
+std::unique_ptr<Strategy> makeNoneStrategy(const StrategyInputs&);
+std::unique_ptr<Strategy> makeFullStrategy(const StrategyInputs&);
 
 }  // namespace hlodbench

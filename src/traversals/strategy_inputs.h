@@ -1,6 +1,9 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "hlod/tree/hierarchy.h"
+#include "traversals/front_recording.h"
 #include "traversals/options.h"
 
 namespace hlodbench {
@@ -9,6 +12,17 @@ namespace hlodbench {
 struct StrategyInputs {
   const Hierarchy& hierarchy;
   TraversalOptions options = {};
+  // Of SW(B) with the same hierarchy, options and session; null where no strategy asks for it
+  // (StrategyInfo::needsRecording). Frames may be added to it while it is used, each before it is
+  // rendered.
+  const FrontRecording* recording = nullptr;
 };
+
+// The recording, for a strategy that cannot do without. Throws std::invalid_argument for none.
+inline const FrontRecording& requireRecording(const StrategyInputs& inputs) {
+  if (inputs.recording == nullptr)
+    throw std::invalid_argument("StrategyInputs: this strategy needs a recording, found none");
+  return *inputs.recording;
+}
 
 }  // namespace hlodbench

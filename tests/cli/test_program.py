@@ -87,6 +87,7 @@ HELP = {
         "--simp": ["[last]"],
         "--trace": ["JSON Lines"],
         "--images": ["Bool", "frames", "[20]"],
+        "--explain": ["SW(B)", "[none]"],
         "--image-format": ["png, exr", "[png]"],
         "--overlay": ["bias, level, node, rarn"],
         "--cache": ["folder"],

@@ -14,7 +14,8 @@ import pytest
 from small_scene import past_the_walls, write_courtyard, write_session, write_walls
 
 STRATEGIES = ("bool", "sw-b", "simp-b", "coh-b")
-EXACT = ("dn", "rarn", "d", "delays", "queries", "triangles", "nodes_visited")
+EXACT = ("dn", "rarn", "d", "delays", "queries", "triangles", "nodes_visited", "queries_wasted",
+         "repeated_delays", "front_change")
 TIMES = ("frame_ms", "cpu_ms", "wait_ms", "draw_ms", "query_ms", "traversal_ms", "gpu_ms")
 FRAMES = 16
 SCHEMA = pathlib.Path(__file__).resolve().parents[2] / "results" / "result.schema.json"
@@ -102,7 +103,10 @@ def test_every_case_has_a_complete_csv(repeated):
         assert list(rows[0])[:2] == ["frame", "warm_up"]
         assert set(rows[0]) == {"frame", "warm_up", *EXACT, *TIMES}
         for row in rows:
-            assert all(float(row[name]) >= 0 for name in (*EXACT, *TIMES[:-1]))
+            assert all(float(row[name]) >= 0 for name in (*EXACT[:-1], *TIMES[:-1]))
+            assert (row["front_change"] == "") == (row["frame"] == "0"), "the first has no last"
+            assert int(row["queries_wasted"]) <= int(row["queries"])
+            assert int(row["repeated_delays"]) <= int(row["delays"])
             assert float(row["frame_ms"]) >= float(row["wait_ms"])
             assert int(row["rarn"]) <= int(row["dn"]) <= int(row["nodes_visited"])
             assert int(row["d"]) <= min(int(row["dn"]), int(row["delays"]))

@@ -10,9 +10,10 @@ cannot be read. It shares no code with the program. The traversals are those of
     Queries. ISVC 2007, Figs. 2 and 3;
     Bittner, Wimmer, Piringer, Purgathofer. Coherent Hierarchical Culling. CGF 23(3), 2004.
 
-What cannot be known from outside, it takes from the trace: the pixels that passed, and, with the
-driver's own latency, when a result was there. Where nine digits are too few to decide, either way
-is right.
+What cannot be known from outside, it takes from the trace: the pixels that passed, with the
+driver's own latency when a result was there, and the predictions of `ideal`, which must then prove
+right. `oracle` decides nothing, so there is nothing to check: refused, exit code 2. Where nine
+digits are too few to decide, either way is right.
 """
 
 import heapq
@@ -21,7 +22,7 @@ import math
 import sys
 from dataclasses import dataclass, field
 
-from trace_events import Disagreement, Events, Node, read_hierarchy
+from trace_events import Disagreement, Events, Node, Unsupported, read_hierarchy
 from trace_view import RELATIVE, Lens, View
 
 
@@ -59,12 +60,23 @@ class Checker:
         self.draws = 0  # in all frames: the clock of latencies in draws
         self.frame = None
         self.unsure = False  # set when a comparison was too close to tell
-        self.predict = {
+        predictions = {
             "bool": self.predict_bool,
             "sw-b": lambda node: "delay",
             "simp-b": self.predict_simp,
             "coh-b": self.predict_coh,
-        }[self.header["strategy"]]
+            "ideal": lambda node: self.told,
+            "none": lambda node: "stop" if self.stops(node) else "refine",
+            "full": lambda node: "refine" if node.children else "stop",
+        }
+        strategy = self.header["strategy"]
+        if strategy not in predictions:
+            known = ", ".join(predictions)
+            raise Unsupported(f"line 1: strategy: can check one of {known}, found {strategy!r}")
+        self.predict = predictions[strategy]
+        self.asks = strategy not in ("none", "full")
+        self.is_ideal = strategy == "ideal"
+        self.told = None  # the prediction of the visit at hand
 
     def check(self):
         """Number of decisions found right; raises Disagreement at the first that is not."""
@@ -139,6 +151,7 @@ class Checker:
         sse = self.sse(node)
         self.events.expect("sse_px", sse, event["sse_px"], RELATIVE * sse)
         self.unsure = False
+        self.told = event["prediction"]
         mode = self.predict(node)  # from what the last frame left in the node
         if self.unsure and event["prediction"] in ("refine", "stop", "delay"):
             mode = event["prediction"]
@@ -146,7 +159,7 @@ class Checker:
         node.visible, node.visited = False, self.frame.number
         node.stop, node.delayed = mode != "refine", mode == "delay"
         self.frame.count("delays", node.delayed)
-        if mode == "refine":
+        if mode == "refine" or not self.asks:
             self.traverse(node)
         elif self.is_near(node):
             self.decide_near(node)
@@ -198,6 +211,8 @@ class Checker:
         if not self.unsure:
             expect("stop", stop, event["stop"])
         node.stop = event["stop"]
+        if self.is_ideal and (node.delayed != (pixels == 0) or not node.stop):
+            raise self.events.disagree(f"the prediction for node {node.id} was wrong")
         if pixels > 0:
             self.frame.biases.append(node.bias)
             self.traverse(node)
@@ -311,6 +326,9 @@ def main(arguments):
         return 2
     try:
         print(f"ok, {check_trace(info, lines)} decisions")
+    except Unsupported as error:
+        print(f"trace_checker: {arguments[1]}: {error}", file=sys.stderr)
+        return 2
     except Disagreement as error:
         print(f"{arguments[1]}: {error}")
         return 1

@@ -10,6 +10,10 @@ class Disagreement(Exception):
     """The trace says something that the algorithm would not have done."""
 
 
+class Unsupported(Exception):
+    """The trace is of a strategy whose decisions are not known here."""
+
+
 @dataclass
 class Node:
     """A node of the hierarchy, and what a traversal remembers of it."""

@@ -9,6 +9,7 @@
 #include "hlod/render/renderer.h"
 #include "hlod/scene/courtyard.h"
 #include "latency.h"
+#include "record_fronts.h"
 #include "replay.h"
 #include "traversals/registry.h"
 
@@ -27,9 +28,17 @@ class Rig {
                                   const ReplayHooks& hooks = {},
                                   const TraversalOptions& traversal = {}, int framesInFlight = 1) {
     const auto queries = wrapQuerySource(glQueries, parseLatency(latency), hierarchy_.nodes.size());
-    const auto made = findStrategy(strategy).make({hierarchy_, traversal});
+    const StrategyInfo& info = findStrategy(strategy);
+    FrontRecording recording;
+    if (info.needsRecording) recording = record(traversal);
+    const auto made = info.make({hierarchy_, traversal, &recording});
     return replaySession(session_, *made, renderer, *queries,
                          {.warmUpFrames = 0, .framesInFlight = framesInFlight}, hooks);
+  }
+
+  FrontRecording record(const TraversalOptions& traversal = {}) {
+    return recordFronts(hierarchy_, traversal, session_, renderer, glQueries, [] { return false; },
+                        {});
   }
 
  private:
@@ -41,12 +50,13 @@ class Rig {
   GlQuerySource glQueries;
 };
 
-// The counters that a fixed latency makes exact, of every frame.
+// The counters that a fixed latency makes exact, of every frame; -1 for one that is absent.
 inline std::vector<double> exactCounts(const std::vector<FrameRecord>& records) {
   std::vector<double> counts;
   for (const FrameRecord& record : records)
     for (const CounterInfo& info : kCounterTable)
-      if (info.exactness == Exactness::kExact) counts.push_back(record.get(info.counter));
+      if (info.exactness == Exactness::kExact)
+        counts.push_back(record.has(info.counter) ? record.get(info.counter) : -1.0);
   return counts;
 }
 

@@ -19,6 +19,7 @@ TEST_F(StrategiesOnTheCourtyard, StandToEachOtherAsThePaperSays) {
   std::map<std::string, std::vector<FrameRecord>> records;
   for (const StrategyInfo& info : listStrategies()) {
     const std::string name(info.name);
+    if (info.needsRecording || name == "full") continue;  // see test_limits_gl.cpp
     records[name] = rig.replay(name, "draws:8");
     records[name].erase(records[name].begin(), records[name].begin() + 5);  // it starts cold
     std::printf("%-7s DN %.1f RARN %.2f D %.1f\n", name.c_str(),
@@ -33,6 +34,8 @@ TEST_F(StrategiesOnTheCourtyard, StandToEachOtherAsThePaperSays) {
   // the virtual error is at most the error: the front is no finer than Bool's
   EXPECT_LT(total("sw-b", Counter::kDn), total("bool", Counter::kDn));
   EXPECT_LT(total("sw-b", Counter::kTriangles), total("bool", Counter::kTriangles));
+  // and Bool's is that of no culling but for what is hidden
+  EXPECT_LT(total("bool", Counter::kDn), total("none", Counter::kDn));
   // coherence finds nearly the ideal front, and refines few nodes after drawing them
   EXPECT_LE(total("coh-b", Counter::kDn), 1.1 * total("sw-b", Counter::kDn));
   EXPECT_GE(total("coh-b", Counter::kDn), 0.9 * total("sw-b", Counter::kDn));

@@ -36,13 +36,13 @@ def add_library(folder):
     return folder
 
 
-def add_program(folder, rows):
-    """A stand-in that prints the CSV rows given; returns its path."""
+def add_program(folder, rows, columns=""):
+    """A stand-in that prints the CSV rows given, with further columns; returns its path."""
     folder.mkdir(exist_ok=True)
     program = folder / "hlodbench"
     program.write_text(PROGRAM, encoding="utf-8")
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
-    (folder / "table.csv").write_text("\n".join([HEADER, *rows]) + "\n", encoding="utf-8")
+    (folder / "table.csv").write_text("\n".join([HEADER + columns, *rows]) + "\n", encoding="utf-8")
     ratios = "Ratios of DN, in brackets the paper's (scene 1): Simp\\*/SW 1.196 (1.103)\n"
     (folder / "table.markdown").write_text("### scene\n" + ratios, encoding="utf-8")
     (folder / "table.latex").write_text(LATEX, encoding="utf-8")

@@ -72,6 +72,24 @@ def test_table_one_is_what_the_program_prints(tmp_path, make_report, program):
     assert page.json["texts"]["csv"] == csv
 
 
+def test_share_of_the_oracle_has_a_column_where_the_run_has_one(tmp_path, make_report, program):
+    fake_run.make_run(tmp_path / "a", scene="scene1")
+    page = make_report(tmp_path / "a", "--hlodbench", program)
+    assert "of Oracle's FPS" not in page.text
+    rows = (program.parent / "table.csv").read_text(encoding="utf-8").splitlines()[1:]
+    more = [row(tmp_path / "a", "oracle", "Oracle", 104, "", "", 60, 61, 0.5, "", "", "", "", "",
+                "", "", "", "", "")]
+    shares = ("0.4444,0.4,0.5", "0.49,,", ",,")
+    with_limit = report_page.add_program(
+        tmp_path / "other", [f"{r},{s}" for r, s in zip(rows + more, shares)],
+        ",ours_limit_share,ours_limit_share_low,ours_limit_share_high")
+    page = make_report(tmp_path / "a", "--hlodbench", with_limit)
+    assert "of Oracle's FPS" in page.text
+    last = {label: cells[-1] for label, cells in page.rows("table-one").items()}
+    assert last["Bool"] == "44.4 % [40.0, 50.0]" and last["Coh(B)"] == "49.0 %"
+    assert last["Oracle"] == "–"
+
+
 def test_without_the_program_the_rest_is_there(tmp_path, make_report):
     fake_run.make_run(tmp_path / "a", image_frames=FRAMES)
     page = make_report(tmp_path / "a")

@@ -101,7 +101,7 @@ TEST(FrameCsv, WritesTheHeaderAndLeavesAbsentFieldsEmpty) {
   record.warmUp = true;
   record.set(Counter::kDn, 183.0);
   record.set(Counter::kFrameMs, 0.1);
-  EXPECT_EQ(formatFrameCsv({record}), makeHeader() + "3,1,183,,,,,,,0.1,,,,,,\n");
+  EXPECT_EQ(formatFrameCsv({record}), makeHeader() + "3,1,183,,,,,,,,,,0.1,,,,,,\n");
   EXPECT_EQ(formatFrameCsv({}), makeHeader());
 }
 
@@ -111,7 +111,7 @@ TEST(FrameCsv, HasAColumnOfAnOptionalCounterWhereAFrameHasIt) {
   records[1].set(Counter::kLoads, 7.0);
   std::string header = makeHeader();
   header.insert(header.size() - 1, ",loads");
-  EXPECT_EQ(formatFrameCsv(records), header + "0,0,,,,,,,,,,,,,,,\n1,0,,,,,,,,,,,,,,,7\n");
+  EXPECT_EQ(formatFrameCsv(records), header + "0,0,,,,,,,,,,,,,,,,,,\n1,0,,,,,,,,,,,,,,,,,,7\n");
 }
 
 TEST(FrameCsv, ReadsBackEveryBitOfWhatItWrote) {
@@ -133,7 +133,7 @@ TEST(FrameCsv, ReadsBackEveryBitOfWhatItWrote) {
 }
 
 TEST(FrameCsv, DoesNotChangeWithTheLocale) {
-  const std::string expected = makeHeader() + "1234567,0,,,,,,12345678,,1234.5678,,,,,,\n";
+  const std::string expected = makeHeader() + "1234567,0,,,,,,12345678,,,,,1234.5678,,,,,,\n";
   const std::locale before =
       std::locale::global(std::locale(std::locale::classic(), new CommaNumpunct));
   const std::string text = formatFrameCsv({makeAwkwardFrame()});

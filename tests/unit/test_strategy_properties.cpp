@@ -4,27 +4,10 @@
 #include <random>
 #include <set>
 
-#include "tiny_tree.h"
+#include "random_tree.h"
 
 namespace hlodbench {
 namespace {
-
-TinyTree makeRandomTree(std::mt19937& random) {
-  TinyTree tree;
-  for (NodeId id = 0; id < tree.hierarchy.nodes.size() && tree.hierarchy.nodes.size() < 200; ++id)
-    if (id == 0 || random() % 3 != 0) tree.addChildren(id, 2 + random() % 4);
-  // errors that shrink from the root down, and 0 in the leaves
-  for (NodeId id = 0; id < tree.hierarchy.nodes.size(); ++id) {
-    const Node& node = tree.hierarchy.nodes[id];
-    tree.setSse(id, node.isLeaf() ? 0.0 : 16.0 / (1 << std::min(node.level, 8u)));
-  }
-  return tree;
-}
-
-void shakeVisibility(TinyTree& tree, std::mt19937& random) {
-  for (NodeId id = 0; id < tree.hierarchy.nodes.size(); ++id)
-    if (random() % 8 == 0) tree.setMu(id, random() % 4 == 0 ? 0.0 : (random() % 1000) / 999.0);
-}
 
 bool isSeenWithAllAbove(const TinyTree& tree, NodeId id, const Camera& camera) {
   for (; id != kNoNode; id = tree.hierarchy.node(id).parent)
@@ -69,12 +52,8 @@ TEST_P(EveryStrategyOnRandomTrees, CoversEveryVisibleLeafAndCountsWhatItDoes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryStrategyOnRandomTrees,
-                         testing::Values("bool", "sw-b", "simp-b", "coh-b"), [](const auto& test) {
-                           std::string name = test.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, EveryStrategyOnRandomTrees, testing::ValuesIn(listStrategyNames()),
+                         [](const auto& test) { return nameTest(test.param); });
 
 TEST(Coh, SettlesOnTheFrontOfStopAndWaitWithinTwoFramesOfAStillCamera) {
   std::mt19937 random(11);

@@ -171,9 +171,94 @@ TEST_F(Table, PutsOtherStrategiesAfterThePapersById) {
   const std::string text = renderTable({write("a", run)}, TableFormat::kMarkdown);
   const auto rows = parseMarkdown(text);
   ASSERT_EQ(rows.size(), 12u);
-  EXPECT_THAT(rows[10],
-              ElementsAre("Full", "this run", "900.0", "0.00", "0.00", "9.0", "9.0", "21.29"));
+  EXPECT_THAT(rows[10], ElementsAre("Full", "this run", "900.0", "0.00", "0.00", "9.0", "9.0",
+                                    "21.29", "4.5 %"));
   EXPECT_THAT(text, HasSubstr("| Oracle\\|x |"));
+}
+
+// Oracle, in these repetitions, `times` as fast as the paper's Bool.
+void addOracle(RunResult& run, const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const TableValues values{"oracle", "Oracle", 181.4, 0.0, -1.0, 169.9 * times[i]};
+    CaseResult result;
+    result.key = {values.strategy, static_cast<int>(i)};
+    result.label = values.label;
+    result.csv = "x.csv";
+    result.summary = makeSummary(values, 1.0 + static_cast<double>(i));
+    run.cases.push_back(std::move(result));
+  }
+}
+
+void addExplanation(RunResult& run, const std::string& strategy,
+                    const std::vector<std::pair<Counter, double>>& values) {
+  for (CaseResult& result : run.cases) {
+    if (result.key != CaseKey{strategy, 0}) continue;
+    std::vector<FrameRecord> records(2);
+    for (const auto& [counter, value] : values) records[1].set(counter, value);
+    const Summary explained = computeSummary(records);
+    for (std::size_t i = 0; i < kCounterCount; ++i)
+      if (explained.counters[i]) result.summary->counters[i] = explained.counters[i];
+  }
+}
+
+TEST_F(Table, StatesEachStrategyAsAShareOfTheOracle) {
+  RunResult run = makeRun("scene1", 3);
+  addOracle(run, {2.0, 4.0, 2.5});
+  const std::string text = renderTable({write("a", run)}, TableFormat::kMarkdown);
+  const auto rows = parseMarkdown(text);
+  EXPECT_EQ(rows[0].back(), "of Oracle's FPS");
+  // within a repetition: 1/2, 1/4, 1/2.5
+  EXPECT_EQ(rows[2].back(), "40.0 % [25.0, 50.0]");
+  EXPECT_EQ(rows[3].back(), "") << "the paper has no oracle";
+  EXPECT_THAT(rows.back(), testing::Contains("Oracle"));
+  EXPECT_EQ(rows.back().back(), "–");
+  EXPECT_THAT(text, HasSubstr("docs/limits.md"));
+  EXPECT_THAT(renderTable({root_ / "a"}, TableFormat::kLatex),
+              HasSubstr("Bool & this run & 40.0 \\% [25.0, 50.0] \\\\"));
+  // beside a run without it, which has no such column, or empty fields
+  const fs::path without = write("b", makeRun("scene1", 3));
+  EXPECT_EQ(parseMarkdown(renderTable({without}, TableFormat::kMarkdown))[0].size(), 8u);
+  EXPECT_THAT(renderTable({without}, TableFormat::kCsv), Not(HasSubstr("limit")));
+  EXPECT_THAT(renderTable({without}, TableFormat::kMarkdown), Not(HasSubstr("Oracle")));
+  const auto lines = splitLines(renderTable({root_ / "a", without}, TableFormat::kCsv));
+  EXPECT_THAT(lines[0],
+              testing::EndsWith(",ours_limit_share,ours_limit_share_low,ours_limit_share_high"));
+  EXPECT_THAT(lines[1], testing::HasSubstr(",bool,"));
+  std::istringstream fields(lines[1].substr(lines[1].rfind(",,") + 2));
+  double share = 0.0;
+  char comma = 0;
+  double low = 0.0;
+  fields >> share >> comma >> low;
+  EXPECT_NEAR(share, 0.4, 1e-12);
+  EXPECT_NEAR(low, 0.25, 1e-12);
+  const auto commas = std::count(lines[0].begin(), lines[0].end(), ',');
+  for (const std::string& line : lines)
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
+  EXPECT_THAT(lines.back(), testing::EndsWith(",,,"));
+}
+
+TEST_F(Table, ExplainsTheCostsWhereTheRunDoes) {
+  RunResult run = makeRun("scene1", 2);
+  EXPECT_THAT(renderTable({write("a", run)}, TableFormat::kMarkdown), Not(HasSubstr("Why")));
+  addExplanation(run, "coh-b",
+                 {{Counter::kPredictedRight, 170},
+                  {Counter::kTooConservative, 20},
+                  {Counter::kTooAggressive, 1},
+                  {Counter::kNeedlessDelays, 9},
+                  {Counter::kInvisibleNodes, 31},
+                  {Counter::kVisibleTriangles, 4000},
+                  {Counter::kInvisibleTriangles, 6000}});
+  addExplanation(run, "bool", {{Counter::kInvisibleNodes, 40}});
+  const std::string text = renderTable({write("b", run)}, TableFormat::kMarkdown);
+  EXPECT_THAT(text, HasSubstr("Why, in 1 frames of the first repetition."));
+  const auto rows = parseMarkdown(text);
+  ASSERT_EQ(rows.size(), 14u);
+  EXPECT_THAT(rows[12],
+              ElementsAre("Bool", "this run", "n/a", "n/a", "n/a", "n/a", "n/a", "40.0", "n/a"));
+  EXPECT_THAT(rows[13], ElementsAre("Coh(B)", "this run", "200.0", "85.0 %", "20.00", "1.00",
+                                    "9.00", "31.0", "2.50"));
+  EXPECT_THAT(renderTable({root_ / "b"}, TableFormat::kLatex),
+              HasSubstr("Coh(B) & this run & 200.0 & 85.0 \\%"));
 }
 
 TEST_F(Table, WritesLatexWithNothingUnescaped) {
@@ -201,6 +286,8 @@ TEST_F(Table, WritesLatexThatCompiles) {
   RunResult run = makeRun("a_b%c&d#e$f{g}h~i^j\\k<|>\"", 5);
   for (CaseResult& result : run.cases)
     if (result.key.strategy == "bool") result.label = "[x]*";
+  addOracle(run, {1.5, 1.4, 1.6, 1.5, 1.5});
+  addExplanation(run, "coh-b", {{Counter::kInvisibleNodes, 31}});
   writeTextFile(
       root_ / "table.tex",
       renderTable({write("a", makeRun("scene1", 5)), write("b", run)}, TableFormat::kLatex));

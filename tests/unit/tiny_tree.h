@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -14,6 +15,17 @@
 #include "traversals/registry.h"
 
 namespace hlodbench {
+
+inline std::vector<std::string> listStrategyNames() {
+  std::vector<std::string> names;
+  for (const StrategyInfo& info : listStrategies()) names.emplace_back(info.name);
+  return names;
+}
+// What a test of a strategy is called, where names may have no hyphen.
+inline std::string nameTest(std::string strategy) {
+  std::replace(strategy.begin(), strategy.end(), '-', '_');
+  return strategy;
+}
 
 // A lens of which one world unit at distance 1 covers 480 pixels, and a camera at the origin that
 // looks along -z.
@@ -77,6 +89,20 @@ class TinyTree {
   std::map<NodeId, double> mu_;
 };
 
+// Answers every query at once and draws nothing.
+class InstantServices final : public FrameServices {
+ public:
+  InstantServices(const TinyTree& tree, const Camera& camera) : tree_(tree), camera_(camera) {}
+  void draw(NodeId) override {}
+  void issueQuery(NodeId) override {}
+  bool isAvailable(NodeId) override { return true; }
+  std::uint32_t getResult(NodeId node) override { return tree_.countPixels(node, camera_); }
+
+ private:
+  const TinyTree& tree_;
+  const Camera& camera_;
+};
+
 // Renders frames of one strategy without GL and keeps the trace and the counters of the last one.
 class ScriptedRun final : public FrameServices {
  public:
@@ -87,10 +113,12 @@ class ScriptedRun final : public FrameServices {
                   tree.hierarchy.nodes.size()),
         queries_(scripted_, FixedLatencyQuerySource::Unit::kDraws, latencyInDraws,
                  tree.hierarchy.nodes.size()),
-        strategy_(findStrategy(strategy).make({tree.hierarchy, options})) {}
+        recorder_(makeStopAndWaitStrategy({tree.hierarchy, options})),
+        strategy_(findStrategy(strategy).make({tree.hierarchy, options, &recording})) {}
 
   // Returns the frame's decisions in words: "visit 0 delay, query 0, result 0 stop, draw 0".
   std::string renderFrame() {
+    recordFrame();
     trace.clear();
     record = FrameRecord();
     queries_.beginFrame();
@@ -109,13 +137,25 @@ class ScriptedRun final : public FrameServices {
       if (e.type == TraceEvent::Type::kDraw) drawn.push_back(e.node);
     return drawn;
   }
-  [[nodiscard]] int count(Counter counter) const { return static_cast<int>(record.get(counter)); }
+  // 0 where the strategy does not have it.
+  [[nodiscard]] int count(Counter counter) const {
+    return record.has(counter) ? static_cast<int>(record.get(counter)) : 0;
+  }
 
   Camera camera = makeTestCamera();
   Trace trace;
   FrameRecord record;
+  FrontRecording recording;  // of SW(B), up to the last frame
 
  private:
+  void recordFrame() {
+    InstantServices services(tree_, camera);
+    Trace events;
+    FrameRecord counters;
+    recorder_->renderFrame(camera, services, counters, &events);
+    recording.frames.push_back(makeRecordedFrame(events, counters));
+  }
+
   [[nodiscard]] std::string describe() const {
     std::string text;
     for (const TraceEvent& e : trace) {
@@ -152,7 +192,7 @@ class ScriptedRun final : public FrameServices {
   const TinyTree& tree_;
   ScriptedQuerySource scripted_;
   FixedLatencyQuerySource queries_;
-  std::unique_ptr<Strategy> strategy_;
+  std::unique_ptr<Strategy> recorder_, strategy_;
 };
 
 }  // namespace hlodbench

@@ -39,8 +39,10 @@ Renderer::Renderer(const Hierarchy& hierarchy, int width, int height,
           Program(makeGlProgram("nodes, lit", shaders::kNodeVertex, shaders::kLitFragment)),
           Program(
               makeGlProgram("nodes, objects", shaders::kObjectVertex, shaders::kObjectFragment)),
-          Program(makeGlProgram("nodes, tinted", shaders::kNodeVertex, shaders::kTintedFragment))},
-      boxProgram_(makeGlProgram("boxes", shaders::kBoxVertex, shaders::kBoxFragment)),
+          Program(makeGlProgram("nodes, tinted", shaders::kNodeVertex, shaders::kTintedFragment)),
+          Program(makeGlProgram("nodes, flat", shaders::kPlainVertex, shaders::kFlatFragment)),
+          Program(makeGlProgram("triangles", shaders::kPlainVertex, shaders::kTriangleFragment))},
+      boxProgram_(makeGlProgram("boxes", shaders::kPlainVertex, shaders::kBoxFragment)),
       nodeArrays_(residency_.pages().size()) {
   describeGeometry();
   uploadColors();
@@ -111,7 +113,9 @@ void Renderer::beginFrame(const Camera& camera, Shading shading) {
   isCulling_ = false;
   state_ = State::kNone;
   setState(State::kNodes);
-  if (shading == Shading::kObjects)
+  const bool showsNumbers =
+      shading == Shading::kObjects || shading == Shading::kFlat || shading == Shading::kTriangles;
+  if (showsNumbers)
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   else
     glClearColor(0.62f, 0.74f, 0.86f, 0.0f);  // a sky; alpha 0: nothing was drawn here
@@ -120,7 +124,7 @@ void Renderer::beginFrame(const Camera& camera, Shading shading) {
 
 void Renderer::setTint(const glm::vec3& color) {
   setState(State::kNodes);
-  if (shading_ == Shading::kTinted) glUniform3fv(nodeProgram().tint, 1, glm::value_ptr(color));
+  if (nodeProgram().tint >= 0) glUniform3fv(nodeProgram().tint, 1, glm::value_ptr(color));
 }
 
 DepthImage Renderer::readDepth() const {

@@ -16,9 +16,11 @@ namespace hlodbench {
 // What becomes of the colours of nodes. Pictures of the same nodes in the same order cover the same
 // pixels in each.
 enum class Shading {
-  kLit,      // the objects' colours, lit: what a user sees
-  kObjects,  // the object's index in red (low byte) and green (high byte), whatever node draws it
-  kTinted    // the colour of setTint(), lit: overlays
+  kLit,       // the objects' colours, lit: what a user sees
+  kObjects,   // the object's index in red (low byte) and green (high byte), whatever node draws it
+  kTinted,    // the colour of setTint(), lit: overlays
+  kFlat,      // the colour of setTint(), as it is: 8 bits a component arrive exactly
+  kTriangles  // the triangle's number in its node, lowest byte in red, then green, blue
 };
 
 enum class FaceCulling {
@@ -48,7 +50,8 @@ class Renderer {
   FaceCulling setFaceCulling(FaceCulling culling) {
     return std::exchange(options_.culling, culling);
   }
-  // The colour of the nodes drawn next, linear RGB, 0 to 1; seen in Shading::kTinted only.
+  // The colour of the nodes drawn next, linear RGB, 0 to 1; seen in Shading::kTinted and
+  // kFlat only.
   void setTint(const glm::vec3& color);
   // Draws the node's LOD; where the GPU has no room for all nodes and it is not there yet, the
   // nearest ancestor that is there, once a frame.
@@ -103,7 +106,7 @@ class Renderer {
   RendererOptions options_;
   Residency residency_;
   Framebuffer framebuffer_;
-  std::array<Program, 3> nodePrograms_;  // by Shading
+  std::array<Program, 5> nodePrograms_;  // by Shading
   Program boxProgram_;
   std::vector<GlVertexArray> nodeArrays_;  // by page
   GlVertexArray boxArray_;

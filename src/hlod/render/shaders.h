@@ -61,7 +61,20 @@ void main() {
   fragment = vec4(float(index & 255u) / 255.0, float(index >> 8u) / 255.0, 0.0, 1.0);
 })";
 
-inline constexpr const char* kBoxVertex = R"(#version 330 core
+inline constexpr const char* kFlatFragment = R"(#version 330 core
+uniform vec3 tint;
+out vec4 fragment;
+void main() { fragment = vec4(tint, 1.0); })";
+
+inline constexpr const char* kTriangleFragment = R"(#version 330 core
+out vec4 fragment;
+void main() {
+  uint number = uint(gl_PrimitiveID);
+  fragment = vec4(vec3(number & 255u, (number >> 8u) & 255u, (number >> 16u) & 255u) / 255.0, 1.0);
+})";
+
+// Boxes, and nodes of which no attribute but the place matters.
+inline constexpr const char* kPlainVertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 uniform mat4 viewProjection;
 void main() { gl_Position = viewProjection * vec4(position, 1.0); })";
