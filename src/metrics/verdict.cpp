@@ -9,10 +9,6 @@
 namespace hlodbench {
 namespace {
 
-std::string formatShare(double share) {
-  return fmt::format("{:.3g} %", 100.0 * share);
-}
-
 bool areAllEqual(std::span<const double> a, std::span<const double> b) {
   const auto isFirst = [&](double value) { return value == a[0]; };
   return std::all_of(a.begin(), a.end(), isFirst) && std::all_of(b.begin(), b.end(), isFirst);
@@ -32,29 +28,30 @@ Judgement judge(const NoisyComparison& c, std::size_t countA, std::size_t countB
                         "needed for p < {:g}",
                         countA, countB, computeSmallestP(countA, countB), needed, options.alpha)};
   }
-  if (!c.change.relative) return {Verdict::kUnclear, "no relative change from 0"};
-  const Interval& relative = *c.change.relative;
   const std::string p = fmt::format("p = {:.2g}", c.test.p);
+  const std::string effect = fmt::format("A12 = {:.2f}", c.test.a12);
+  const bool isSignificant = c.test.p < options.alpha;
   const bool isLarge = std::max(c.test.a12, 1.0 - c.test.a12) >= options.effect;
-  const bool isChange = std::abs(relative.value) >= options.minChange;
-  if (c.test.p < options.alpha && isLarge && isChange) {
-    // where the samples and the pairs disagree on the direction, nothing is clear
-    if ((relative.value > 0.0) != (c.test.a12 > 0.5))
+  // from 0, any change is as large as can be
+  const double size = c.change.relative ? c.change.relative->value : c.change.absolute.value;
+  const bool isChange = c.change.relative ? std::abs(size) >= options.minChange : size != 0.0;
+  if (isSignificant && isLarge && isChange) {
+    if ((size > 0.0) != (c.test.a12 > 0.5))
       return {Verdict::kUnclear, p + ", but pairs and samples go different ways"};
-    const Verdict direction = computeDirection(relative.value, better);
-    if (direction != Verdict::kUnclear)
-      return {direction, fmt::format("{}, A12 = {:.2f}", p, c.test.a12)};
-    return {Verdict::kUnclear, p + ", but neither direction is better"};
+    const Verdict direction = computeDirection(size, better);
+    return {direction,
+            p + ", " + effect +
+                (direction == Verdict::kUnclear ? ", but neither direction is better" : "")};
   }
-  if (isWithin(relative, options.minChange))
-    return {Verdict::kSame, fmt::format("interval within +-{}", formatShare(options.minChange))};
-  if (!(c.test.p < options.alpha))
-    return {Verdict::kUnclear, fmt::format("{}, and the interval is too wide for SAME", p)};
+  const std::string most = fmt::format("+-{:.3g} %", 100.0 * options.minChange);
+  if (c.change.relative && isWithin(*c.change.relative, options.minChange))
+    return {Verdict::kSame, "interval within " + most};
+  if (!isSignificant) return {Verdict::kUnclear, p + ", and the interval reaches beyond " + most};
   if (!isLarge)
-    return {Verdict::kUnclear, fmt::format("{}, but A12 = {:.2f} is no effect of {:g}", p,
-                                           c.test.a12, options.effect)};
-  return {Verdict::kUnclear, fmt::format("{}, a change below {}, and the interval reaches beyond",
-                                         p, formatShare(options.minChange))};
+    return {Verdict::kUnclear,
+            fmt::format("{}, but {} is no effect of {:g}", p, effect, options.effect)};
+  return {Verdict::kUnclear,
+          fmt::format("{}, a change within {}, but the interval reaches beyond", p, most)};
 }
 
 }  // namespace

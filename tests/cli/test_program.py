@@ -9,7 +9,7 @@ import pytest
 from small_scene import past_the_walls, write_relief, write_session, write_walls
 
 STRATEGIES = ("bool", "sw-b", "simp-b", "coh-b")
-COMMANDS = ("list", "build", "info", "run", "table", "bias")
+COMMANDS = ("list", "build", "info", "run", "table", "compare", "bias")
 FRAMES = 12
 
 
@@ -93,6 +93,14 @@ HELP = {
         "--max-triangles": ["triangles", "[2000]"],
     },
     "table": {"dir": ["folders"], "--format": ["markdown", "latex", "csv", "[markdown]"]},
+    "compare": {
+        "a": ["FOLDER:STRATEGY"],
+        "--format": ["markdown, csv, json", "[markdown]"],
+        "--allow": ["scene, session, size, tau, machine"],
+        "--alpha": ["[0.05]"],
+        "--effect": ["A12", "[0.71]"],
+        "--min-change": ["per cent", "[1]"],
+    },
     "bias": {"--s": ["0 to 1"], "--t": ["0 to 1"], "--exponent": ["1 to 100"], "--samples": ["[101]"]},
     "list": {},
 }
