@@ -70,7 +70,20 @@ void HierarchyTraversal::beginVisit(NodeId node, Prediction prediction) {
 }
 
 bool HierarchyTraversal::isNear(NodeId node) const {
-  return isCutByNearPlane(*context_.camera, context_.hierarchy.node(node).box);
+  const Aabb& box = context_.hierarchy.node(node).box;
+  if (options_.nearPlane == NearPlane::kQuery)
+    return computeDistance(*context_.camera, box) <= 0.0;  // from inside, no front face is seen
+  return isCutByNearPlane(*context_.camera, box);
+}
+
+double HierarchyTraversal::computeBoxPixels(NodeId node) const {
+  const Camera& camera = *context_.camera;
+  const Aabb& box = context_.hierarchy.node(node).box;
+  // a cut box has no bounds but those of the viewport
+  if (options_.nearPlane == NearPlane::kQuery && isCutByNearPlane(camera, box))
+    return computeProjectedAreaOfCutBox(camera, box);
+  return options_.muArea == MuArea::kUnclipped ? computeUnclippedArea(camera, box)
+                                               : computeProjectedArea(camera, box);
 }
 
 void HierarchyTraversal::decideNear(NodeId node) {
@@ -92,8 +105,7 @@ bool HierarchyTraversal::finishQuery(NodeId node) {
   const std::uint32_t pixels = services_->getResult(node);
   // the rasteriser and the analytic area may differ along the outline: a box under a pixel counts
   // as one, and mu is clamped
-  const double boxPixels =
-      std::max(1.0, computeProjectedArea(*context_.camera, context_.hierarchy.node(node).box));
+  const double boxPixels = std::max(1.0, computeBoxPixels(node));
   const double mu = std::min(1.0, pixels / boxPixels);
   if (pixels > 0) {
     pullUpVisibility(node);
@@ -130,7 +142,7 @@ void HierarchyTraversal::render(NodeId node) {
   NodeState& s = state(node);
   // a node drawn on a Stop whose result confirms it comes here again; Fig. 2 leaves out this guard,
   // which the demo program of Bittner et al. has
-  if (s.lastRendered == context_.frame) return;
+  if (s.lastRendered == context_.frame && options_.renderGuard == RenderGuard::kOn) return;
   s.lastRendered = context_.frame;
   ++counts_.drawn;
   if (s.delayed) ++counts_.delayedDrawn;

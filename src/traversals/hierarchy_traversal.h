@@ -68,6 +68,8 @@ class HierarchyTraversal : public Strategy {
   };
 
   void render(NodeId node);
+  // The denominator of mu, pixels, in front of the clamp.
+  [[nodiscard]] double computeBoxPixels(NodeId node) const;
   [[nodiscard]] bool isWithinTolerance(NodeId node) const;
   void note(const TraceEvent& event) {
     if (trace_ != nullptr) trace_->push_back(event);
