@@ -1,3 +1,5 @@
+#include <string>
+
 #include "compare_text.h"
 #include "csv_text.h"
 
@@ -26,6 +28,7 @@ std::string renderCompareCsv(const Comparison& comparison, const CompareSide& a,
                                    "a",
                                    "b",
                                    "of",
+                                   "different_frames",
                                    "difference",
                                    "difference_low",
                                    "difference_high",
@@ -47,7 +50,8 @@ std::string renderCompareCsv(const Comparison& comparison, const CompareSide& a,
                                       row.unit,
                                       formatCsvNumber(row.a),
                                       formatCsvNumber(row.b),
-                                      row.basis};
+                                      row.basis,
+                                      row.different ? std::to_string(*row.different) : ""};
       addInterval(row.difference, fields);
       addInterval(row.relative, fields);
       fields.push_back(formatCsvNumber(row.p));

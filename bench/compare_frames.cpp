@@ -19,6 +19,7 @@ void judgeFrames(const std::vector<double>& a, const std::vector<double>& b,
     if (different == 0) first = frames[i];
     ++different;
   }
+  row.different = different;
   if (different == 0) {
     row.difference = Interval{};
     row.judgement = {Verdict::kSame, fmt::format("equal in all {} frames", frames.size())};

@@ -24,6 +24,7 @@ Json toJson(const CompareRow& row) {
           {"a", orNull(row.a)},
           {"b", orNull(row.b)},
           {"of", row.basis},
+          {"different_frames", orNull(row.different)},
           {"difference", toJson(row.difference)},
           {"relative", toJson(row.relative)},
           {"p", orNull(row.p)},

@@ -20,7 +20,8 @@ struct CompareRow {
   std::string group;  // "counts", "times" or "pictures"
   std::string key;    // of a counter, "fps", or of images.json: "vs_full.y"
   std::string label, unit;
-  std::optional<double> a = {}, b = {};  // mean over frames, or median over repetitions
+  std::optional<double> a = {}, b = {};       // mean over frames, or median over repetitions
+  std::optional<std::size_t> different = {};  // frames, where frames are compared
   std::string basis = {};  // what these are over: "35 frames", "5 and 5 repetitions", "5 pairs"
   std::optional<Interval> difference = {};  // b - a
   std::optional<Interval> relative = {};    // a share

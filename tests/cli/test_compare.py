@@ -119,6 +119,7 @@ def test_other_counts_differ_by_what_the_logs_say(world):
         f"differs in {len(different)} of {len(ours)} frames, first in frame "
         f"{WARM_UP + different[0]}"
     )
+    assert row["different_frames"] == len(different)
     change = statistics.fmean(others) - statistics.fmean(ours)
     assert row["difference"]["value"] == pytest.approx(change)
     assert row["relative"]["value"] == pytest.approx(change / statistics.fmean(ours))
@@ -485,6 +486,8 @@ def test_formats_say_the_same(world, tmp_path):
         assert (row["strategy_b"], row["key"]) == (pair["strategy_b"], value["key"])
         assert (row["verdict"], row["reason"]) == (value["verdict"], value["reason"])
         assert row["folder_b"] == str(b)
+        count = row["different_frames"]
+        assert (int(count) if count else None) == value["different_frames"]
         for name in ("a", "b", "p"):
             found = float(row[name]) if row[name] else None
             assert found == value[name]
