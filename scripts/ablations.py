@@ -54,9 +54,9 @@ DEFAULT = READINGS[0]
 VALUES = {"dn": ("dn", "dn"), "rarn": ("rarn", "rarn"), "d": ("d", "d"), "fps": ("fps", "fps"),
           "psnr_y": ("psnr_y", "vs_reference.y"), "psnr_full_y": ("psnr_full_y", "vs_full.y")}
 COLUMNS = ("reading", "options", "strategy", "repetitions", "frames", "dn_different_frames",
-           *(c + part for c in VALUES
-             for part in ("", "_change", "_change_low", "_change_high", "_verdict")),
-           "error")
+           "psnr_identical", *(c + part for c in VALUES
+                               for part in ("", "_change", "_change_low", "_change_high",
+                                            "_verdict")), "error")
 
 
 def parse_readings(text):
@@ -131,7 +131,8 @@ def read_rows(options, reading):
     for strategy in reading.strategies:
         ours = table[strategy]
         row = {"reading": reading.name, "options": " ".join(reading.options),
-               "strategy": strategy, "repetitions": ours["repetitions"], "frames": ours["frames"]}
+               "strategy": strategy, "repetitions": ours["repetitions"], "frames": ours["frames"],
+               "psnr_identical": ours["ours_psnr_identical"]}
         row |= {column: ours["ours_" + key] for column, (key, _) in VALUES.items()}
         if reading is not DEFAULT:
             add_changes(row, read_comparison(options.hlodbench, options.out / DEFAULT.name, folder,
@@ -177,10 +178,13 @@ def format_table(rows, options):
         if row.get("error"):
             lines.append(f"| {name} | {row['error']} |" + " – |" * (len(header) - 2))
             continue
+        against_bool = number(row, "psnr_y", 2)
+        if row.get("psnr_identical") not in (None, "", "0"):
+            against_bool += f", {row['psnr_identical']} identical"
         cells = [name, row["strategy"], number(row, "dn", 1), change(row, "dn", 2),
                  row.get("dn_different_frames") or "–", number(row, "rarn", 2),
                  number(row, "rarn_change", 2, "+"), number(row, "d", 2),
-                 number(row, "d_change", 2, "+"), number(row, "fps", 1), number(row, "psnr_y", 2),
+                 number(row, "d_change", 2, "+"), number(row, "fps", 1), against_bool,
                  number(row, "psnr_y_change", 2, "+"), number(row, "psnr_full_y", 2),
                  number(row, "psnr_full_y_change", 2, "+")]
         lines.append("| " + " | ".join(cells) + " |")
@@ -188,7 +192,8 @@ def format_table(rows, options):
     plural = "repetition" if options.repetitions == 1 else "repetitions"
     lines += ["", f"Latency {options.latency}, {size}; FPS over {options.repetitions} {plural}. "
               "Changes are from the default; the interval is a bootstrap over frames. Y: PSNR "
-              "against Bool with the same reading, without frames whose planes are identical."]
+              "against Bool with the same reading. Identical planes have no finite PSNR: means are "
+              "over the other frames, changes over those that are finite in both."]
     return "\n".join(lines) + "\n"
 
 
