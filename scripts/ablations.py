@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Measures what each debatable reading of the paper amounts to (docs/ablations.md).
 
-Replays the session once as hlodbench does by default and once with each reading, every one with the
-strategies that it concerns and with Bool, by `hlodbench run`. By default the latency is fixed, so that
-node counts are exact and any difference from the default is the reading's. The result folders stay in
-OUT; one that is there is not run again, so that an interrupted measurement goes on where it stopped.
-Writes OUT/ablations.csv and OUT/ablations.md and prints the latter.
+Replays the session once as hlodbench does by default and once with each reading, every one with
+the strategies that it concerns and with Bool, by `hlodbench run`. By default the latency is fixed,
+so that node counts are exact and any difference from the default is the reading's. The result
+folders stay in OUT; one that is there is not run again, so that an interrupted measurement goes on
+where it stopped. Writes OUT/ablations.csv and OUT/ablations.md and prints the latter.
 
 Exit codes: 0 all was run; 1 a run failed, the others are in the table; 2 wrong usage or bad input;
 130 interrupted.
