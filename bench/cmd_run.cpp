@@ -8,6 +8,7 @@
 #include "hlod/core/error.h"
 #include "number_range.h"
 #include "overlay.h"
+#include "readings.h"
 #include "run.h"
 #include "traversals/registry.h"
 
@@ -140,6 +141,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   addPictureOptions(*sub, *o);
   addExplainOption(*sub, *o);
   addTraversalOptions(*sub, o->traversal);
+  addReadingOptions(*sub, o->traversal, o->queryFaces);
   sub->add_option("--trace", o->trace,
                   "write every decision of the first repetition as JSON Lines; with several "
                   "strategies, one file each, its name inserted before the extension");

@@ -14,5 +14,6 @@ void addInfoCommand(CLI::App& app);
 void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments);
 void addTableCommand(CLI::App& app);
 void addBiasCommand(CLI::App& app);
+void addCompareCommand(CLI::App& app);
 
 }  // namespace hlodbench

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   addInfoCommand(app);
   addRunCommand(app, arguments);
   addTableCommand(app);
+  addCompareCommand(app);
   addBiasCommand(app);
   try {
     app.parse(argc, argv);

@@ -159,7 +159,10 @@ class Runner {
     const auto start = std::chrono::steady_clock::now();
     renderer_ = std::make_unique<Renderer>(
         stored_.hierarchy, session_.lens.width, session_.lens.height,
-        RendererOptions{.gpuMemory = options_.gpuMemory, .culling = options_.faces});
+        RendererOptions{.gpuMemory = options_.gpuMemory,
+                        .culling = options_.faces,
+                        .queryFaces = options_.queryFaces,
+                        .clipsBoxes = options_.traversal.nearPlane == NearPlane::kVisible});
     glFinish();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const auto toMiB = [](std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };
@@ -296,8 +299,9 @@ class Runner {
   }
 
   void writeTrace(const std::string& strategy, const std::vector<TracedFrame>& frames) {
-    TraceFile file(nameTrace(options_, strategy), {strategy, options_.traversal, session_.lens,
-                                                   latency_, stored_.info.contentHash});
+    TraceFile file(nameTrace(options_, strategy),
+                   {strategy, options_.traversal, options_.queryFaces, session_.lens, latency_,
+                    stored_.info.contentHash});
     for (const TracedFrame& frame : frames) file.writeFrame(frame);
     file.finish();
   }

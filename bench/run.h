@@ -28,6 +28,7 @@ struct RunOptions {
   Preset preset = Preset::kPaper;
   FaceCulling faces = FaceCulling::kNone;
   TraversalOptions traversal;
+  QueryFaces queryFaces = QueryFaces::kFront;
   std::string latency = "gl";
   std::filesystem::path trace;
   std::uint64_t seed =

@@ -1,10 +1,12 @@
 #include "run_options_json.h"
 
+#include "readings.h"
+
 namespace hlodbench {
 
 nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
   const TraversalOptions& t = options.traversal;
-  return {
+  nlohmann::json json = {
       {"strategies", options.strategies},
       {"repetitions", options.repetitions},
       {"context", options.context},
@@ -26,6 +28,8 @@ nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
       {"overlays", options.pictures.overlays},
       {"traced", !options.trace.empty()},
   };
+  for (const auto& [key, value] : listReadings(t, options.queryFaces)) json[key] = value;
+  return json;
 }
 
 }  // namespace hlodbench

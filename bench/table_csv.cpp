@@ -4,28 +4,11 @@
 
 #include <algorithm>
 
+#include "csv_text.h"
 #include "table_text.h"
 
 namespace hlodbench {
 namespace {
-
-std::string escapeCsv(std::string text) {
-  if (text.find_first_of(",\"\r\n") == text.npos) return text;
-  for (std::size_t at = text.find('"'); at != text.npos; at = text.find('"', at + 2))
-    text.insert(at, 1, '"');
-  return fmt::format("\"{}\"", text);
-}
-
-std::string formatCsvLine(const std::vector<std::string>& fields) {
-  std::string line;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    line += fmt::format("{}{}", i ? "," : "", escapeCsv(fields[i]));
-  return line + "\n";
-}
-
-std::string formatNumber(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : "";
-}
 
 // Empty where the run has no pictures, and against Bool for Bool itself.
 std::vector<std::string> computeQualityFields(const TableBlock& block, const TableRow& row) {
@@ -34,16 +17,16 @@ std::vector<std::string> computeQualityFields(const TableBlock& block, const Tab
   if (summary == nullptr) return fields;
   fields[0] = fmt::format("{}", block.images->frames);
   if (const auto& psnr = summary->vsReference) {
-    fields[1] = formatNumber(psnr->y.mean);
-    fields[2] = formatNumber(psnr->y.stddev);
-    fields[3] = formatNumber(psnr->cb.mean);
-    fields[4] = formatNumber(psnr->cb.stddev);
-    fields[5] = formatNumber(psnr->cr.mean);
-    fields[6] = formatNumber(psnr->cr.stddev);
+    fields[1] = formatCsvNumber(psnr->y.mean);
+    fields[2] = formatCsvNumber(psnr->y.stddev);
+    fields[3] = formatCsvNumber(psnr->cb.mean);
+    fields[4] = formatCsvNumber(psnr->cb.stddev);
+    fields[5] = formatCsvNumber(psnr->cr.mean);
+    fields[6] = formatCsvNumber(psnr->cr.stddev);
     fields[7] = fmt::format("{}", psnr->y.identical);
   }
-  fields[8] = formatNumber(summary->vsFull.y.mean);
-  fields[9] = formatNumber(summary->wrongShareMean);
+  fields[8] = formatCsvNumber(summary->vsFull.y.mean);
+  fields[9] = formatCsvNumber(summary->wrongShareMean);
   fields[10] = fmt::format("{}", summary->crackPixels);
   return fields;
 }
@@ -51,7 +34,8 @@ std::vector<std::string> computeQualityFields(const TableBlock& block, const Tab
 std::vector<std::string> computeLimitFields(const TableRow& row) {
   if (!row.limitShare) return std::vector<std::string>(3);
   const MedianInterval& interval = row.limitShare->interval;
-  return {formatNumber(interval.median), formatNumber(interval.low), formatNumber(interval.high)};
+  return {formatCsvNumber(interval.median), formatCsvNumber(interval.low),
+          formatCsvNumber(interval.high)};
 }
 
 std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRow& row) {
@@ -59,7 +43,7 @@ std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRo
   const PaperScene* scene = block.sameScene ? block.papers.front() : nullptr;
   const PaperRow* paper = scene ? scene->find(row.strategy) : nullptr;
   const auto ofPaper = [&](auto member) {
-    return paper ? formatNumber(std::optional<double>(paper->*member)) : std::string();
+    return paper ? formatCsvNumber(std::optional<double>(paper->*member)) : std::string();
   };
   std::optional<double> median, low, high;
   if (row.speedup) {
@@ -77,22 +61,22 @@ std::vector<std::string> computeCsvFields(const TableBlock& block, const TableRo
       fmt::format("{}", row.failures),
       fmt::format("{}", row.frames),
       block.run.complete ? "1" : "0",
-      formatNumber(row.dn),
-      formatNumber(row.rarn),
-      formatNumber(row.d),
-      formatNumber(row.fps),
-      formatNumber(row.fpsFrameMean),
-      formatNumber(median),
-      formatNumber(low),
-      formatNumber(high),
-      formatNumber(row.delayedShare),
+      formatCsvNumber(row.dn),
+      formatCsvNumber(row.rarn),
+      formatCsvNumber(row.d),
+      formatCsvNumber(row.fps),
+      formatCsvNumber(row.fpsFrameMean),
+      formatCsvNumber(median),
+      formatCsvNumber(low),
+      formatCsvNumber(high),
+      formatCsvNumber(row.delayedShare),
       paper ? scene->label : "",
       ofPaper(&PaperRow::dn),
       ofPaper(&PaperRow::rarn),
       ofPaper(&PaperRow::d),
       ofPaper(&PaperRow::fps),
       ofPaper(&PaperRow::speedup),
-      paper && row.strategy == kReferenceStrategy ? formatNumber(scene->delayedShare) : ""};
+      paper && row.strategy == kReferenceStrategy ? formatCsvNumber(scene->delayedShare) : ""};
   const std::vector<std::string> quality = computeQualityFields(block, row);
   fields.insert(fields.end(), quality.begin(), quality.end());
   return fields;

@@ -4,29 +4,11 @@
 
 #include <algorithm>
 
+#include "markdown.h"
 #include "table_text.h"
 
 namespace hlodbench {
 namespace {
-
-std::string replaceAll(std::string text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
-// Columns a terminal takes: code points, that is bytes which do not continue one.
-std::size_t computeWidth(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  }));
-}
-
-// Only what would end a cell or a line early, or start a list: in a terminal, text stays as it is.
-std::string escapeMarkdown(std::string text) {
-  text = replaceAll(replaceAll(std::move(text), "\n", " "), "|", "\\|");
-  return text.rfind("* ", 0) == 0 ? "\\" + text : text;
-}
 
 std::string escapeLatex(const std::string& text) {
   std::string escaped;
@@ -72,30 +54,14 @@ std::string escapeLatex(const std::string& text) {
   return replaceAll(replaceAll(escaped, "–", "--"), "±", "$\\pm$");
 }
 
-std::string formatMarkdownTable(const TableGrid& grid) {
-  std::vector<std::vector<std::string>> lines{grid.header};
-  lines.insert(lines.end(), grid.rows.begin(), grid.rows.end());
-  std::vector<std::size_t> widths(grid.header.size(), 3);
-  for (auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      line[i] = escapeMarkdown(line[i]);
-      widths[i] = std::max(widths[i], computeWidth(line[i]));
-    }
-  std::string out;
-  for (std::size_t row = 0; row < lines.size(); ++row) {
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      const std::string pad(widths[i] - computeWidth(lines[row][i]), ' ');
-      const bool right = i >= kFirstNumberColumn;
-      out += "| " + (right ? pad + lines[row][i] : lines[row][i] + pad) + " ";
-    }
-    out += "|\n";
-    if (row > 0) continue;
-    for (std::size_t i = 0; i < widths.size(); ++i)
-      out += i >= kFirstNumberColumn ? "| " + std::string(widths[i] - 1, '-') + ": "
-                                     : "| " + std::string(widths[i], '-') + " ";
-    out += "|\n";
-  }
-  return out;
+// Columns of text, then columns of numbers.
+std::string computeAlignment(const TableGrid& grid) {
+  return std::string(kFirstNumberColumn, 'l') +
+         std::string(grid.header.size() - kFirstNumberColumn, 'r');
+}
+
+std::string formatMarkdownGrid(const TableGrid& grid) {
+  return formatMarkdownTable(grid.header, grid.rows, computeAlignment(grid));
 }
 
 std::string formatLatexRow(const std::vector<std::string>& cells) {
@@ -107,9 +73,8 @@ std::string formatLatexRow(const std::vector<std::string>& cells) {
 }
 
 std::string formatLatexTabular(const TableGrid& grid) {
-  std::string out = "\\begin{tabular}{ll" +
-                    std::string(grid.header.size() - kFirstNumberColumn, 'r') + "}\n\\toprule\n" +
-                    formatLatexRow(grid.header);
+  std::string out =
+      "\\begin{tabular}{" + computeAlignment(grid) + "}\n\\toprule\n" + formatLatexRow(grid.header);
   for (std::size_t row = 0; row < grid.rows.size(); ++row) {
     if (row == 0)
       out += "\\midrule\n";
@@ -146,14 +111,14 @@ std::string renderMarkdown(const std::vector<TableBlock>& blocks) {
   for (const TableBlock& block : blocks) {
     const TableText text = computeTableText(block);
     out += fmt::format("### {}\n\n{}\n\n{}\n{}\n\n", escapeMarkdown(text.title),
-                       escapeMarkdown(text.machine), formatMarkdownTable(text.costs),
+                       escapeMarkdown(text.machine), formatMarkdownGrid(text.costs),
                        escapeMarkdown(text.ratios));
     if (!text.why.rows.empty())
       out +=
-          fmt::format("{}\n\n{}\n", escapeMarkdown(text.whyCaption), formatMarkdownTable(text.why));
+          fmt::format("{}\n\n{}\n", escapeMarkdown(text.whyCaption), formatMarkdownGrid(text.why));
     if (!text.quality.rows.empty())
       out += fmt::format("{}\n\n{}\n", escapeMarkdown(text.qualityCaption),
-                         formatMarkdownTable(text.quality));
+                         formatMarkdownGrid(text.quality));
     for (const std::string& note : text.notes) out += "- " + escapeMarkdown(note) + "\n";
     if (!text.notes.empty()) out += "\n";
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "readings.h"
+
 namespace hlodbench {
 namespace {
 
@@ -43,16 +45,19 @@ std::string formatEvent(const TraceEvent& e) {
 
 std::string formatHeader(const TraceHeader& h) {
   const TraversalOptions& o = h.options;
+  std::string readings;
+  for (const auto& [key, value] : listReadings(o, h.queryFaces))
+    readings += fmt::format(R"(,"{}":"{}")", key, value);
   return fmt::format(
       R"({{"type":"run","version":1,"strategy":"{}","tau":{:.9g},"s":{:.9g},"t":{:.9g},)"
       R"("exponent":{:.9g},"viewport":[{},{}],"fovy_rad":{:.9g},"near":{:.9g},"far":{:.9g},)"
       R"("hierarchy":"{:016x}","latency":"{}","stale_children":"{}","zero_pixels":"{}",)"
-      R"("simp_estimate":"{}"}})",
+      R"("simp_estimate":"{}"{}}})",
       h.strategy, o.tau, o.bias.s, o.bias.t, o.bias.exponent, h.lens.width, h.lens.height,
       h.lens.fovyRad, h.lens.nearPlane, h.lens.farPlane, h.hierarchyHash, h.latency.toString(),
       o.staleChildren == StaleChildren::kSkip ? "skip" : "literal",
       o.zeroPixels == ZeroPixels::kZeroBias ? "zero" : "literal",
-      o.simpEstimate == SimpEstimate::kLastProcessed ? "last" : "mean");
+      o.simpEstimate == SimpEstimate::kLastProcessed ? "last" : "mean", readings);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace hlodbench {
 struct TraceHeader {
   std::string strategy;
   TraversalOptions options;
+  QueryFaces queryFaces = QueryFaces::kFront;
   Lens lens;
   Latency latency;
   std::uint64_t hierarchyHash = 0;

@@ -8,24 +8,13 @@ table is also written as OUT/grid.csv.
 """
 
 import argparse
-import csv
-import io
-import os
 import pathlib
-import shutil
-import subprocess
 import sys
-import time
 
-from atomic_file import write_atomically
+from run_cells import DEFAULT_PROGRAM, BadInput, Progress, read_table, run_cell, write_rows
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
 COLUMNS = ("s", "t", "dn", "dn_share", "rarn", "delayed_share", "fps", "speedup", "speedup_low",
            "speedup_high", "psnr_y", "psnr_cb", "psnr_cr", "psnr_identical", "psnr_full_y")
-
-
-class BadInput(Exception):
-    """What cannot be run; the message is one line."""
 
 
 def parse_numbers(text):
@@ -50,30 +39,15 @@ def plan(s_values, t_values):
 
 def run_pair(options, s, t, folder):
     """Replays the session with one pair into `folder`, which appears when it is complete."""
-    partial = folder.with_name(f".{folder.name}.{os.getpid()}")
-    command = [options.hlodbench, "run", "--scene", options.scene, "--session", options.session,
-               "--strategy", "bool,coh-b", "--s", s, "--t", t,
-               "--repetitions", options.repetitions, "--images", options.images, "--out", partial]
-    try:
-        code = subprocess.run([str(part) for part in command], check=False).returncode
-        if code != 0:
-            raise BadInput(f"s = {s:g}, t = {t:g}: hlodbench ended with code {code}")
-        partial.rename(folder)
-    except OSError as error:
-        raise BadInput(f"{options.hlodbench}: cannot be run: {error.strerror}") from None
-    finally:
-        shutil.rmtree(partial, ignore_errors=True)
+    run_cell(options.hlodbench,
+             ["--scene", options.scene, "--session", options.session, "--strategy", "bool,coh-b",
+              "--s", s, "--t", t, "--repetitions", options.repetitions,
+              "--images", options.images], folder, f"s = {s:g}, t = {t:g}")
 
 
 def read_row(options, s, t, folder):
     """The grid's row of one pair, by column; an absent value is an empty text."""
-    result = subprocess.run([str(options.hlodbench), "table", str(folder), "--format", "csv"],
-                            capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        raise BadInput(result.stderr.strip())
-    rows = {row["strategy"]: row for row in csv.DictReader(io.StringIO(result.stdout))}
-    if not {"bool", "coh-b"} <= rows.keys():
-        raise BadInput(f"{folder}: expected a run of bool and coh-b, found {', '.join(rows)}")
+    rows = read_table(options.hlodbench, folder, ["bool", "coh-b"])
     coh, boolean = rows["coh-b"], rows["bool"]
     row = {"s": f"{s:g}", "t": f"{t:g}" if s > 0 else ""}
     row |= {key: coh["ours_" + key] for key in ("dn", "rarn", "delayed_share", "fps", "psnr_y",
@@ -111,15 +85,6 @@ def has_interval(row):
     return row["speedup_low"] != row["speedup_high"]
 
 
-def write_csv(path, rows):
-    """Writes the rows; nobody ever sees half of them."""
-    with write_atomically(path) as temporary, open(temporary, "w", newline="",
-                                                   encoding="utf-8") as file:
-        writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def parse_arguments():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__,
@@ -135,7 +100,7 @@ def parse_arguments():
     parser.add_argument("--repetitions", type=int, default=1, help="of each replay (1)")
     parser.add_argument("--images", default="20",
                         help="pictures to compare, as for `hlodbench run` (20)")
-    parser.add_argument("--hlodbench", default=ROOT / "build/release/bench/hlodbench",
+    parser.add_argument("--hlodbench", default=DEFAULT_PROGRAM,
                         help="the program (build/release/bench/hlodbench)")
     return parser.parse_args()
 
@@ -146,17 +111,15 @@ def main():
     try:
         options.out.mkdir(parents=True, exist_ok=True)
         pairs = plan(options.s, options.t)
-        rows, start, done = [], time.monotonic(), 0
+        rows, progress = [], Progress(len(pairs))
         for i, (s, t) in enumerate(pairs):
             folder = options.out / (f"s{s:g}-t{t:g}" if s > 0 else "s0")
             if not folder.exists():
-                left = (time.monotonic() - start) / done * (len(pairs) - i) if done else None
-                estimate = f", about {left / 60:.0f} min left" if left else ""
-                print(f"{i + 1}/{len(pairs)} s = {s:g}, t = {t:g}{estimate}", file=sys.stderr)
+                progress.begin(i + 1, f"s = {s:g}, t = {t:g}")
                 run_pair(options, s, t, folder)
-                done += 1
+                progress.end()
             rows.append(read_row(options, s, t, folder))
-            write_csv(options.out / "grid.csv", rows)
+            write_rows(options.out / "grid.csv", COLUMNS, rows)
         print(format_table(rows), end="")
     except (BadInput, OSError) as error:
         print(f"bias_grid.py: {error}".replace("\n", " "), file=sys.stderr)

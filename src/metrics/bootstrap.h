@@ -23,8 +23,7 @@ struct MedianInterval {
   bool operator==(const MedianInterval&) const = default;
 };
 
-// Draws from std::mt19937_64, whose output the C++ standard fixes, and maps to indices with its own
-// rejection, because std::uniform_int_distribution differs between standard libraries.
+// Resamples by IndexDrawer (metrics/resample.h): the same interval everywhere.
 // The order of the sample has no influence. Throws std::invalid_argument for an empty sample, a
 // value that is not finite, or options out of range.
 MedianInterval computeMedianInterval(std::span<const double> sample,

@@ -95,7 +95,9 @@ struct StoredImageSummaries {
   std::map<std::string, ImageSummary> strategies;  // by id
 };
 
-// Reads it from a result folder; nothing when the run made no pictures. Throws InputError.
+// Read it from a result folder, or all of it; nothing when the run made no pictures. Throw
+// InputError.
 std::optional<StoredImageSummaries> readImageSummaries(const std::filesystem::path& resultFolder);
+std::optional<ImageResult> readImageResult(const std::filesystem::path& resultFolder);
 
 }  // namespace hlodbench

@@ -19,9 +19,11 @@ class CohPredictor final : public Predictor {
     if (!context.wasVisible(id)) return Prediction::kDelay;
     // if not node.stopRefinement then
     if (!node.stopRefinement) {
+      const Children children = lookAtChildren(id, context);
+      if (children.oneGoesOn && context.options.pullUp == PullUp::kDelay) return Prediction::kDelay;
       // if candidateToShiftUp then if AvgBias(node.children)*CalcSSE(node) <= tau return Delay
-      const std::optional<double> averageBias = computeAverageBiasOfCandidate(id, context);
-      if (averageBias && *averageBias * context.computeSse(id) <= tau) return Prediction::kDelay;
+      if (children.averageBias && *children.averageBias * context.computeSse(id) <= tau)
+        return Prediction::kDelay;
     } else if (node.bias * context.computeSse(id) <= tau) {
       // else if node.bias*CalcSSE(node) <= tau then return Stop
       return Prediction::kStop;
@@ -31,11 +33,15 @@ class CohPredictor final : public Predictor {
   }
 
  private:
-  // AvgBias(node.children) when the node is a candidate for pulling up the front of termination
-  // nodes: refinement stopped at all its children and, estimated by Eq. 2, would stop there again.
-  // Nothing when it is not.
-  static std::optional<double> computeAverageBiasOfCandidate(NodeId id,
-                                                             const PredictionContext& context) {
+  struct Children {
+    // refinement did not stop at one of them or, estimated by Eq. 2, would not stop there again
+    bool oneGoesOn = false;
+    // AvgBias(node.children) when the node is a candidate for pulling up the front of termination
+    // nodes; nothing when it is not
+    std::optional<double> averageBias;
+  };
+
+  static Children lookAtChildren(NodeId id, const PredictionContext& context) {
     const Node& node = context.hierarchy.node(id);
     double sum = 0.0;
     int count = 0;
@@ -50,12 +56,13 @@ class CohPredictor final : public Predictor {
       // if not child.stopRefinement or not (child.bias*CalcSSE(child) <= tau)
       //   candidateToShiftUp <- false
       if (!child.stopRefinement || child.bias * context.computeSse(c) > context.options.tau)
-        return std::nullopt;
+        return {true, {}};
       sum += child.bias;
       ++count;
     }
     // with no child seen in the last frame there is nothing to average: not a candidate
-    return count > 0 ? std::optional<double>(sum / count) : std::nullopt;
+    if (count == 0) return {};
+    return {false, sum / count};
   }
 };
 

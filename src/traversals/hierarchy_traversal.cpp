@@ -82,7 +82,25 @@ void HierarchyTraversal::beginVisit(NodeId node, Prediction prediction) {
 }
 
 bool HierarchyTraversal::isNear(NodeId node) const {
-  return isCutByNearPlane(*context_.camera, context_.hierarchy.node(node).box);
+  const Aabb& box = context_.hierarchy.node(node).box;
+  if (options_.nearPlane == NearPlane::kQuery)
+    return computeDistance(*context_.camera, box) <= 0.0;  // from inside, no front face is seen
+  return isCutByNearPlane(*context_.camera, box);
+}
+
+double HierarchyTraversal::computeBoxPixels(NodeId node) const {
+  const Camera& camera = *context_.camera;
+  const Aabb& box = context_.hierarchy.node(node).box;
+  double area = 0.0;
+  // a cut box has no bounds but those of the viewport
+  if (options_.nearPlane == NearPlane::kQuery && isCutByNearPlane(camera, box))
+    area = computeProjectedAreaOfCutBox(camera, box);
+  else
+    area = options_.muArea == MuArea::kUnclipped ? computeUnclippedArea(camera, box)
+                                                 : computeProjectedArea(camera, box);
+  // the rasteriser and the analytic area may differ along the outline: a box under a pixel counts
+  // as one, and mu is clamped
+  return std::max(1.0, area);
 }
 
 void HierarchyTraversal::decideNear(NodeId node) {
@@ -126,12 +144,6 @@ bool HierarchyTraversal::finishQuery(NodeId node) {
   return pixels > 0;
 }
 
-double HierarchyTraversal::computeBoxPixels(NodeId node) const {
-  // the rasteriser and the analytic area may differ along the outline: a box under a pixel counts
-  // as one, and mu is clamped
-  return std::max(1.0, computeProjectedArea(*context_.camera, context_.hierarchy.node(node).box));
-}
-
 void HierarchyTraversal::traverse(NodeId node) {
   const NodeState& s = state(node);
   if (s.stopRefinement) {
@@ -149,7 +161,7 @@ void HierarchyTraversal::render(NodeId node) {
   NodeState& s = state(node);
   // a node drawn on a Stop whose result confirms it comes here again; Fig. 2 leaves out this guard,
   // which the demo program of Bittner et al. has
-  if (s.lastRendered == context_.frame) return;
+  if (s.lastRendered == context_.frame && options_.renderGuard == RenderGuard::kOn) return;
   if (s.lastRendered == context_.frame - 1) ++counts_.drawnAgain;
   s.lastRendered = context_.frame;
   ++counts_.drawn;

@@ -16,6 +16,31 @@ enum class ZeroPixels {
   kLiteral    // as printed: the old bias stays
 };
 
+// Fig. 3: what a child at which refinement did not stop, or would not stop again, says of its
+// parent.
+enum class PullUp {
+  kRefine,  // candidateToShiftUp <- false: the parent is refined
+  kDelay    // "return Delay", as one transcription of the figure has it
+};
+
+// Whether a node drawn on a Stop is drawn again when its result confirms the Stop.
+enum class RenderGuard {
+  kOn,  // once a frame
+  kOff  // as Fig. 2 is printed: its Render knows no guard
+};
+
+// A box with a corner at or before the near plane.
+enum class NearPlane {
+  kVisible,  // gets no query: seen whole
+  kQuery     // is queried while the eye is outside of it, as Fig. 2 queries every box
+};
+
+// Which pixels of a box are the denominator of mu (paper, section 3.2).
+enum class MuArea {
+  kClipped,   // those in the viewport
+  kUnclipped  // all that the projected box would cover, in the viewport or not
+};
+
 // Simp(B) is a reconstruction: which bias of this frame stands in for the one not known yet.
 enum class SimpEstimate {
   kLastProcessed,  // variant A: that of the node whose result came in last
@@ -29,6 +54,10 @@ struct TraversalOptions {
   StaleChildren staleChildren = StaleChildren::kSkip;
   ZeroPixels zeroPixels = ZeroPixels::kZeroBias;
   SimpEstimate simpEstimate = SimpEstimate::kLastProcessed;
+  PullUp pullUp = PullUp::kRefine;
+  RenderGuard renderGuard = RenderGuard::kOn;
+  NearPlane nearPlane = NearPlane::kVisible;
+  MuArea muArea = MuArea::kClipped;
 };
 
 }  // namespace hlodbench

@@ -9,7 +9,7 @@ import pytest
 from small_scene import past_the_walls, write_relief, write_session, write_walls
 
 STRATEGIES = ("bool", "sw-b", "simp-b", "coh-b")
-COMMANDS = ("list", "build", "info", "run", "table", "bias")
+COMMANDS = ("list", "build", "info", "run", "table", "compare", "bias")
 FRAMES = 12
 
 
@@ -85,6 +85,11 @@ HELP = {
         "--stale-children": ["[skip]"],
         "--zero-pixels": ["[zero]"],
         "--simp": ["[last]"],
+        "--pull-up": ["refine, delay", "[refine]"],
+        "--render-guard": ["on, off", "[on]"],
+        "--near-plane": ["visible, query", "[visible]"],
+        "--query-faces": ["front, both", "[front]"],
+        "--mu-area": ["clipped, unclipped", "[clipped]"],
         "--trace": ["JSON Lines"],
         "--images": ["Bool", "frames", "[20]"],
         "--explain": ["SW(B)", "[none]"],
@@ -94,6 +99,14 @@ HELP = {
         "--max-triangles": ["triangles", "[2000]"],
     },
     "table": {"dir": ["folders"], "--format": ["markdown", "latex", "csv", "[markdown]"]},
+    "compare": {
+        "a": ["FOLDER:STRATEGY"],
+        "--format": ["markdown, csv, json", "[markdown]"],
+        "--allow": ["scene, session, size, tau, machine"],
+        "--alpha": ["[0.05]"],
+        "--effect": ["A12", "[0.71]"],
+        "--min-change": ["per cent", "[1]"],
+    },
     "bias": {"--s": ["0 to 1"], "--t": ["0 to 1"], "--exponent": ["1 to 100"], "--samples": ["[101]"]},
     "list": {},
 }

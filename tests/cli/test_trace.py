@@ -19,6 +19,10 @@ RUNS = {  # the settings that change what is decided
     "gl": [],
     "draws:7 literal": ["--stale-children", "literal", "--zero-pixels", "literal"],
     "draws:7 mean": ["--simp", "mean", "--s", "0.6", "--t", "0.1", "--exponent", "3"],
+    "draws:7 delay": ["--pull-up", "delay", "--stale-children", "literal"],
+    "draws:7 unguarded": ["--render-guard", "off", "--mu-area", "unclipped"],
+    "draws:7 near": ["--near-plane", "query", "--query-faces", "both"],
+    "draws:7 all": ["--near-plane", "query", "--mu-area", "unclipped", "--pull-up", "delay"],
     "draws:3 coarse": ["--tau", "8", "--t", "0", "--zero-pixels", "literal"],
 }
 
@@ -88,6 +92,9 @@ def test_the_runs_meet_every_kind_of_decision(yard):
     assert seen["simp-b"]["rarn"] and seen["coh-b"]["rarn"]
     for other in ("draws:0", "draws:7 literal", "draws:7 mean"):
         assert yard.traces(other)["simp-b"][1:] != yard.traces("draws:7")["simp-b"][1:], other
+    assert count_events(yard.traces("draws:7 near")["coh-b"]).get("near", 0) < seen["coh-b"]["near"]
+    for other in ("draws:7 delay", "draws:7 unguarded", "draws:7 near"):
+        assert yard.traces(other)["coh-b"][1:] != yard.traces("draws:7")["coh-b"][1:], other
     for line in yard.traces("draws:7")["sw-b"]:
         event = json.loads(line)
         assert event.get("prediction", "delay") == "delay"
@@ -194,6 +201,11 @@ ALTERED = {
     "another switch of children": ("coh-b", change(stale_children="literal"), {"type": "run"}),
     "another switch for no pixels": ("coh-b", change(zero_pixels="literal"), {"type": "run"}),
     "another estimate of Simp": ("simp-b", change(simp_estimate="mean"), {"type": "run"}),
+    "another reading of Fig. 3": ("coh-b", change(pull_up="delay"), {"type": "run"}),
+    "another guard of Render": ("coh-b", change(render_guard="off"), {"type": "run"}),
+    "another near plane": ("coh-b", change(near_plane="query"), {"type": "run"}),
+    "another area": ("coh-b", change(mu_area="unclipped"), {"type": "run"}),
+    "an unknown reading": ("coh-b", change(pull_up="wait"), {"type": "run"}),
     "another latency": ("coh-b", change(latency="draws:8"), {"type": "run"}),
     "another strategy": ("coh-b", change(strategy="simp-b"), {"type": "run"}),
     "another viewport": ("bool", change(viewport=[160, 121]), {"type": "run"}),

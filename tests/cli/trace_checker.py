@@ -33,6 +33,15 @@ def sigmoid(mu, t, p):
     return 1 - (1 - t) * ((1 - mu) / (1 - t)) ** p
 
 
+SWITCHES = {  # of later versions: the values that are known, the default first
+    "pull_up": ("refine", "delay"),
+    "render_guard": ("on", "off"),
+    "near_plane": ("visible", "query"),
+    "query_faces": ("front", "both"),  # what passed is taken from the trace
+    "mu_area": ("clipped", "unclipped"),
+}
+
+
 @dataclass
 class Frame:
     """What is counted and queued in one frame."""
@@ -54,6 +63,7 @@ class Checker:
         self.nodes = nodes
         self.events = Events(lines)
         self.header = self.events.take("run")
+        self.switches = {name: self.header.get(name, SWITCHES[name][0]) for name in SWITCHES}
         self.tau = self.header["tau"]
         kind, _, number = self.header["latency"].partition(":")
         self.latency = (kind, int(number or 0))
@@ -81,6 +91,10 @@ class Checker:
     def check(self):
         """Number of decisions found right; raises Disagreement at the first that is not."""
         self.events.expect("version", 1, self.header["version"])
+        for name, value in self.switches.items():
+            if value not in SWITCHES[name]:
+                known = " or ".join(SWITCHES[name])
+                raise self.events.disagree(f"expected {name} {known}, found {value}")
         number = 0
         while self.events.at < len(self.events.lines):
             self.check_frame(number)
@@ -169,7 +183,10 @@ class Checker:
                 self.traverse(node)
 
     def is_near(self, node):
-        near, unsure = self.frame.view.cuts(node.box)
+        if self.switches["near_plane"] == "query":
+            near, unsure = self.frame.view.is_inside(node.box)
+        else:
+            near, unsure = self.frame.view.cuts(node.box)
         return self.events.peek()["type"] == "near" if unsure else near
 
     def decide_near(self, node):
@@ -195,7 +212,8 @@ class Checker:
         event = self.events.take("result", node)
         expect = self.events.expect
         pixels = event["pixels"]
-        box_px, slack = self.frame.view.box_pixels(node.box)
+        clipped = self.switches["mu_area"] == "clipped"
+        box_px, slack = self.frame.view.box_pixels(node.box, clipped)
         expect("box_px", box_px, event["box_px"], slack)
         mu = min(1.0, pixels / event["box_px"])
         expect("mu", mu, event["mu"], RELATIVE * mu)
@@ -220,7 +238,7 @@ class Checker:
     def traverse(self, node):
         """Draws a node of the front, once a frame; goes on to the children of another."""
         if node.stop:
-            if node.drawn == self.frame.number:
+            if node.drawn == self.frame.number and self.switches["render_guard"] == "on":
                 return
             self.events.take("draw", node)
             node.drawn = self.frame.number
@@ -294,7 +312,10 @@ class Checker:
         front = node.children
         if self.header["stale_children"] == "skip":
             front = [c for c in front if c.visited == self.frame.number - 1]
-        if front and all([c.stop and self.tolerable(c, c.bias) for c in front]):
+        stays = [c.stop and self.tolerable(c, c.bias) for c in front]
+        if self.switches["pull_up"] == "delay" and not all(stays):
+            return "delay"
+        if front and all(stays):
             mean = math.fsum(c.bias for c in front) / len(front)
             if self.tolerable(node, mean):
                 return "delay"

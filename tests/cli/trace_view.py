@@ -147,19 +147,44 @@ class View:
         pixels_at_1 = self.lens.height / (2 * self.tan_y)
         return error * pixels_at_1 / max(self.lens.near, self.distance(box))
 
-    def box_pixels(self, box):
-        """Pixels of the viewport that a box in front of the near plane covers, at least 1; slack.
+    def is_inside(self, box):
+        """Whether the eye is inside the box; too close?"""
+        gaps = [max(low - e, e - high) for low, e, high in zip(box.low, self.position, box.high)]
+        return max(gaps) <= 0, abs(max(gaps)) <= RELATIVE
 
-        Outline of the eight projected corners, cut to the viewport.
+    def pieces(self, box):
+        """Corners of the box's faces, cut to the pyramid that the viewport spans from the eye."""
+        planes = (
+            lambda p: p[2] * self.tan_x - p[0],
+            lambda p: p[2] * self.tan_x + p[0],
+            lambda p: p[2] * self.tan_y - p[1],
+            lambda p: p[2] * self.tan_y + p[1],
+        )
+        corners = self.points(box)
+        points = []
+        for face in ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4),
+                     (1, 3, 7, 5)):  # fmt: skip
+            polygon = [corners[i] for i in face]
+            for plane in planes:
+                polygon = cut(polygon, plane)
+            points += polygon
+        return points
+
+    def box_pixels(self, box, clipped=True):
+        """Pixels of the viewport that a box covers, at least 1; slack.
+
+        Outline of the eight projected corners, cut to the viewport if asked for. Of a box that the
+        near plane cuts, outline of what the viewport's pyramid leaves of it.
         """
         width, height = self.lens.width, self.lens.height
+        is_cut = self.cuts(box)[0]
         polygon = convex_hull(
             [
                 ((x / (d * self.tan_x) + 1) / 2 * width, (y / (d * self.tan_y) + 1) / 2 * height)
-                for x, y, d in self.points(box)
+                for x, y, d in (self.pieces(box) if is_cut else self.points(box))
             ]
         )
-        for inside in (
+        for inside in () if is_cut or not clipped else (
             lambda p: p[0],
             lambda p: width - p[0],
             lambda p: p[1],

@@ -37,6 +37,42 @@ TEST_F(QueryTest, CountAHiddenBoxAsNothingAndAHalfHiddenOneAsHalf) {
   EXPECT_NEAR(share(front), 1.0, 0.06);
 }
 
+TEST_F(QueryTest, OfBothFacesCountAPixelTwice) {
+  FlatHierarchy flat;
+  const NodeId open = flat.addBox({{1, -1, -9}, {2, 1, -8}});
+  const auto count = [&](QueryFaces faces) {
+    Renderer renderer(flat.hierarchy, kSize, kSize, {.queryFaces = faces});
+    GlQuerySource queries(renderer, flat.hierarchy.nodes.size());
+    queries.beginFrame();
+    renderer.beginFrame(camera_);
+    queries.issue(open);
+    return queries.getResult(open);
+  };
+  EXPECT_GT(count(QueryFaces::kFront), 0u);
+  EXPECT_EQ(count(QueryFaces::kBoth), 2 * count(QueryFaces::kFront));
+}
+
+TEST_F(QueryTest, CountABoxThatTheNearPlaneCutsOnlyWithoutClipping) {
+  FlatHierarchy flat;
+  // beside the eye and reaching behind it, and one whose front lies before the near plane
+  const std::vector<NodeId> cut{flat.addBox({{0.3f, -0.5f, -4}, {2, 0.5f, 1}}),
+                                flat.addBox({{-0.05f, -0.5f, -3}, {1, 0.5f, -0.01f}})};
+  const auto share = [&](NodeId node, bool clips) {
+    Renderer renderer(flat.hierarchy, kSize, kSize, {.clipsBoxes = clips});
+    GlQuerySource queries(renderer, flat.hierarchy.nodes.size());
+    queries.beginFrame();
+    renderer.beginFrame(camera_);
+    queries.issue(node);
+    const Aabb& box = flat.hierarchy.node(node).box;
+    return queries.getResult(node) / computeProjectedAreaOfCutBox(camera_, box);
+  };
+  for (const NodeId node : cut) {
+    ASSERT_TRUE(isCutByNearPlane(camera_, flat.hierarchy.node(node).box));
+    EXPECT_NEAR(share(node, false), 1.0, 0.03);
+  }
+  EXPECT_LT(share(cut[1], true), 0.5) << "else the clamp would not be needed";
+}
+
 TEST_F(QueryTest, SeeOnlyWhatWasDrawnBeforeThem) {
   FlatHierarchy flat;
   const NodeId wall = flat.addBox({{-3, -3, -5}, {3, 3, -4.9f}});

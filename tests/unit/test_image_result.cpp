@@ -84,8 +84,31 @@ TEST_F(ImageResultFile, GivesBackItsSummaries) {
   EXPECT_EQ(found.crackPixels, expected.crackPixels);
 }
 
+TEST_F(ImageResultFile, GivesBackEverything) {
+  ImageResult result;
+  result.selection = "list";
+  result.seed = 7;
+  result.frames = {3, 9};
+  result.format = "png";
+  result.width = 64;
+  result.height = 48;
+  result.reference = "bool";
+  result.crackMargin = 2;
+  result.overlays = {"bias"};
+  result.full = {{3, "full.00003.png", 1000}, {9, "full.00009.png", 1000}};
+  result.strategies = {{"coh-b", "Coh(B)", {makeFrame(3, 40.0, 5), makeFrame(9, 41.0, 7)}},
+                       {"bool", "Bool", {makeFrame(3, std::nullopt, 5)}}};
+  result.strategies[0].frames[0].overlays["bias"] = "coh-b.00003.bias.png";
+  result.strategies[1].frames[0].vsReference.reset();
+  writeImageResult(folder_ / kImageFolder, result);
+  const auto stored = readImageResult(folder_);
+  ASSERT_TRUE(stored);
+  EXPECT_EQ(toJson(*stored), toJson(result));
+}
+
 TEST_F(ImageResultFile, MayBeMissing) {
   EXPECT_FALSE(readImageSummaries(folder_));
+  EXPECT_FALSE(readImageResult(folder_));
 }
 
 TEST_F(ImageResultFile, OfAnotherVersionIsRefused) {

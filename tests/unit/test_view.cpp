@@ -93,6 +93,76 @@ TEST(ProjectedArea, IsNothingForABoxBesideTheViewport) {
   EXPECT_DOUBLE_EQ(computeProjectedArea(camera, {{50, 0, -2}, {51, 1, -1}}), 0.0);
 }
 
+TEST(ProjectedArea, UnclippedIsTheSameForABoxInsideTheViewport) {
+  const Camera camera = makeCamera(Lens{}, Pose{});
+  const Aabb inside{{-1, -1, -12}, {1, 1, -10}};
+  EXPECT_NEAR(computeUnclippedArea(camera, inside), computeProjectedArea(camera, inside), 1e-9);
+  // a flat box, half of it beside the viewport: its width counts in full
+  const double edge = 10.0 * std::tan(0.5 * camera.lens.fovyRad) * 640.0 / 480.0;
+  const float x = static_cast<float>(edge);
+  const Aabb half{{x - 1, -1, -10}, {x + 1, 1, -10}};
+  EXPECT_NEAR(computeUnclippedArea(camera, half) / computeProjectedArea(camera, half), 2.0, 1e-4);
+}
+
+// Whether the ray from the eye through a pixel of the viewport hits the box.
+bool isHit(const Camera& camera, const Aabb& box, double column, double row) {
+  const glm::dvec4 far = glm::inverse(camera.viewProjection) *
+                         glm::dvec4(2.0 * column / camera.lens.width - 1.0,
+                                    2.0 * row / camera.lens.height - 1.0, 1.0, 1.0);
+  const glm::dvec3 direction = glm::dvec3(far) / far.w - camera.pose.position;
+  double enter = 0.0;
+  double leave = 1e300;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (box.min[axis] - camera.pose.position[axis]) / direction[axis];
+    const double b = (box.max[axis] - camera.pose.position[axis]) / direction[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter < leave;
+}
+
+TEST(ProjectedArea, OfACutBoxIsWhatItCoversInFrontOfTheEye) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  int cut = 0;
+  int covered = 0;
+  for (int i = 0; i < 3000 && cut < 60; ++i) {
+    Camera camera = makeRandomCamera(random);
+    const glm::vec3 at = glm::vec3(camera.pose.position) +
+                         glm::vec3(uniform(random), uniform(random), uniform(random));
+    const glm::vec3 half =
+        0.01f + 0.8f * glm::abs(glm::vec3(uniform(random), uniform(random), uniform(random)));
+    const Aabb box{at - half, at + half};
+    if (!isCutByNearPlane(camera, box) || computeDistance(camera, box) <= 0.0) continue;
+    ++cut;
+    const int side = 200;
+    int hits = 0;
+    for (int row = 0; row < side; ++row)
+      for (int column = 0; column < side; ++column)
+        hits += isHit(camera, box, (column + 0.5) / side * camera.lens.width,
+                      (row + 0.5) / side * camera.lens.height)
+                    ? 1
+                    : 0;
+    const double viewport = static_cast<double>(camera.lens.width) * camera.lens.height;
+    EXPECT_NEAR(computeProjectedAreaOfCutBox(camera, box) / viewport,
+                static_cast<double>(hits) / (side * side), 0.01);
+    covered += hits > 100 ? 1 : 0;
+  }
+  EXPECT_EQ(cut, 60);
+  EXPECT_GT(covered, 10);
+}
+
+TEST(ProjectedArea, OfABoxThatIsNotCutIsTheSameByFaces) {
+  std::mt19937 random(12);
+  for (int i = 0; i < 2000; ++i) {
+    const Camera camera = makeRandomCamera(random);
+    const Aabb box = makeRandomBox(random);
+    if (isCutByNearPlane(camera, box)) continue;
+    const double area = computeProjectedArea(camera, box);
+    EXPECT_NEAR(computeProjectedAreaOfCutBox(camera, box), area, 1e-6 * (1.0 + area));
+  }
+}
+
 TEST(NearPlane, CutsABoxWithACornerBehindIt) {
   Lens lens;
   lens.nearPlane = 1.0;

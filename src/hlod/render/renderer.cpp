@@ -110,6 +110,7 @@ void Renderer::beginFrame(const Camera& camera, Shading shading) {
   // rounding: a query may see too much, never too little
   glPolygonOffset(-1.0f, -1.0f);
   glDisable(GL_CULL_FACE);
+  glDisable(GL_DEPTH_CLAMP);
   isCulling_ = false;
   state_ = State::kNone;
   setState(State::kNodes);
@@ -144,10 +145,9 @@ void Renderer::setState(State state) {
   const GLboolean write = boxes ? GL_FALSE : GL_TRUE;
   glColorMask(write, write, write, write);
   glDepthMask(write);
-  if (boxes)
-    glEnable(GL_POLYGON_OFFSET_FILL);
-  else
-    glDisable(GL_POLYGON_OFFSET_FILL);
+  const auto enable = boxes ? glEnable : glDisable;
+  enable(GL_POLYGON_OFFSET_FILL);
+  if (!options_.clipsBoxes) enable(GL_DEPTH_CLAMP);
   glUseProgram(boxes ? boxProgram_.program : nodeProgram().program);
   glBindVertexArray(boxes ? boxArray_ : nodeArrays_[page_]);
 }
@@ -231,7 +231,7 @@ void Renderer::drawThere(std::span<const NodeId> nodes) {
 
 void Renderer::drawBox(NodeId id) {
   setState(State::kBoxes);
-  setCulling(true);  // each covered pixel must pass once
+  setCulling(options_.queryFaces == QueryFaces::kFront);
   glDrawElementsBaseVertex(GL_TRIANGLES, 36, GL_UNSIGNED_SHORT, nullptr,
                            static_cast<GLint>(8 * id));
 }

@@ -28,12 +28,20 @@ enum class FaceCulling {
   kBackWhereConsistent  // only front faces, in nodes that have kConsistentWinding
 };
 
+// Of the boxes that queries count.
+enum class QueryFaces {
+  kFront,  // each covered pixel passes once
+  kBoth    // front and back: a pixel passes up to twice
+};
+
 struct RendererOptions {
   std::uint64_t gpuMemory = kUnlimitedMemory;  // bytes for nodes' geometry, see Residency
   FaceCulling culling = FaceCulling::kNone;
   // Of one buffer of nodes' geometry. There are several where that is not enough, for drivers that
   // cannot address larger ones; see kMostPageBytes. Tests set it to have many.
   std::uint64_t mostPageBytes = kMostPageBytes;
+  QueryFaces queryFaces = QueryFaces::kFront;
+  bool clipsBoxes = true;  // at the near and far plane; false: their depth is clamped instead
 };
 
 // Draws nodes and boxes of a hierarchy. Knows nothing of why a node is drawn.
@@ -59,7 +67,8 @@ class Renderer {
   // Draws the LODs of nodes, in this order, with as few calls as their kinds allow: the picture
   // that drawNode() for each of them makes where all are there. Waits for those that are not.
   void drawNodes(std::span<const NodeId> nodes);
-  // Draws the front faces of the node's box, tested against the depth buffer and leaving no trace.
+  // Draws the node's box, by default its front faces, tested against the depth buffer and leaving
+  // no trace.
   void drawBox(NodeId node);
 
   // Of the current frame; where there is room for all nodes, nothing is ever missing.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace hlodbench {
 namespace {
@@ -105,6 +106,62 @@ glm::dvec3 cornerOf(const Aabb& box, int corner) {
           (corner & 4) ? box.max.z : box.min.z};
 }
 
+glm::dvec2 toPixels(const Camera& camera, const glm::dvec4& p) {
+  return {(p.x / p.w * 0.5 + 0.5) * camera.lens.width,
+          (p.y / p.w * 0.5 + 0.5) * camera.lens.height};
+}
+
+Polygon projectSilhouette(const Camera& camera, const Aabb& box) {
+  const Silhouette& silhouette = kSilhouettes[computeRegion(camera.pose.position, box)];
+  Polygon polygon;
+  for (int i = 0; i < silhouette.count; ++i)
+    polygon.add(toPixels(
+        camera, camera.viewProjection * glm::dvec4(cornerOf(box, silhouette.corners[i]), 1.0)));
+  return polygon;
+}
+
+double computeArea(const Polygon& polygon) {
+  double twiceArea = 0.0;
+  for (int i = 0; i < polygon.count; ++i) {
+    const glm::dvec2& a = polygon.points[i];
+    const glm::dvec2& b = polygon.points[(i + 1) % polygon.count];
+    twiceArea += a.x * b.y - b.x * a.y;
+  }
+  return 0.5 * std::abs(twiceArea);
+}
+
+// Pixels of the viewport that one face covers, parts behind the eye left out: clipped before the
+// division, by the four planes through the eye (-w <= x, y <= w), between which w is above 0.
+double computeFaceArea(const Camera& camera, const Aabb& box, int axis, int side) {
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  std::array<glm::dvec4, 8> points;
+  int count = 0;
+  for (const auto& [atU, atV] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    points[count++] = camera.viewProjection *
+                      glm::dvec4(cornerOf(box, (side << axis) | (atU << u) | (atV << v)), 1.0);
+  for (const auto& [coordinate, sign] : {std::pair(0, 1.0), {0, -1.0}, {1, 1.0}, {1, -1.0}}) {
+    std::array<glm::dvec4, 8> kept;
+    int keptCount = 0;
+    for (int i = 0; i < count; ++i) {
+      const glm::dvec4& a = points[i];
+      const glm::dvec4& b = points[(i + 1) % count];
+      const double da = a.w - sign * a[coordinate];
+      const double db = b.w - sign * b[coordinate];
+      if (da >= 0.0) kept[keptCount++] = a;
+      if ((da >= 0.0) != (db >= 0.0)) kept[keptCount++] = a + (b - a) * (da / (da - db));
+    }
+    points = kept;
+    count = keptCount;
+  }
+  Polygon polygon;
+  for (int i = 0; i < count; ++i) {
+    if (!(points[i].w > 0.0)) return 0.0;  // the face's plane goes through the eye
+    polygon.add(toPixels(camera, points[i]));
+  }
+  return computeArea(polygon);
+}
+
 }  // namespace
 
 bool isCutByNearPlane(const Camera& camera, const Aabb& box) {
@@ -117,25 +174,25 @@ bool isCutByNearPlane(const Camera& camera, const Aabb& box) {
 }
 
 double computeProjectedArea(const Camera& camera, const Aabb& box) {
-  const Silhouette& silhouette = kSilhouettes[computeRegion(camera.pose.position, box)];
-  Polygon polygon;
-  for (int i = 0; i < silhouette.count; ++i) {
-    const glm::dvec4 p =
-        camera.viewProjection * glm::dvec4(cornerOf(box, silhouette.corners[i]), 1.0);
-    polygon.add({(p.x / p.w * 0.5 + 0.5) * camera.lens.width,
-                 (p.y / p.w * 0.5 + 0.5) * camera.lens.height});
-  }
+  Polygon polygon = projectSilhouette(camera, box);
   for (int axis = 0; axis < 2; ++axis) {
     polygon = clip(polygon, axis, 0.0, -1.0);
     polygon = clip(polygon, axis, axis == 0 ? camera.lens.width : camera.lens.height, 1.0);
   }
-  double twiceArea = 0.0;
-  for (int i = 0; i < polygon.count; ++i) {
-    const glm::dvec2& a = polygon.points[i];
-    const glm::dvec2& b = polygon.points[(i + 1) % polygon.count];
-    twiceArea += a.x * b.y - b.x * a.y;
-  }
-  return 0.5 * std::abs(twiceArea);
+  return computeArea(polygon);
+}
+
+double computeUnclippedArea(const Camera& camera, const Aabb& box) {
+  return computeArea(projectSilhouette(camera, box));
+}
+
+double computeProjectedAreaOfCutBox(const Camera& camera, const Aabb& box) {
+  double area = 0.0;
+  const int region = computeRegion(camera.pose.position, box);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side)
+      if (isFaceSeen(region, axis, side)) area += computeFaceArea(camera, box, axis, side);
+  return area;
 }
 
 }  // namespace hlodbench

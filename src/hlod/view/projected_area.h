@@ -16,4 +16,12 @@ bool isCutByNearPlane(const Camera& camera, const Aabb& box);
 // The box must not be cut by the near plane (see isCutByNearPlane).
 double computeProjectedArea(const Camera& camera, const Aabb& box);
 
+// The same without clipping: what the whole box would cover on an endless screen.
+double computeUnclippedArea(const Camera& camera, const Aabb& box);
+
+// The same as computeProjectedArea() for a box that the near plane cuts, of what lies in front of
+// the eye: pixels that its front faces cover when they are drawn without clipping at the near plane
+// (GL_DEPTH_CLAMP). The eye must be outside of the box.
+double computeProjectedAreaOfCutBox(const Camera& camera, const Aabb& box);
+
 }  // namespace hlodbench
