@@ -4,6 +4,7 @@
 #include "hlod/render/gl_context.h"
 #include "metrics/counters.h"
 #include "overlay.h"
+#include "strategy_settings.h"
 #include "traversals/registry.h"
 
 namespace hlodbench {
@@ -12,7 +13,7 @@ namespace {
 void listEverything() {
   fmt::print("Strategies (--strategy):\n");
   for (const StrategyInfo& s : listStrategies())
-    fmt::print("  {:<14} {}: {}\n", s.name, s.label, s.description);
+    fmt::print("  {:<14} {}: {}\n{}", s.name, s.label, s.description, describeOptions(s));
   fmt::print("\nContexts (--context):\n  {:<14} {}\n", "auto",
              "the first of these that works; says what it tried");
   for (const GlContextInfo& c : listContexts()) fmt::print("  {:<14} {}\n", c.name, c.description);

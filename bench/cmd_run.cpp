@@ -9,6 +9,7 @@
 #include "number_range.h"
 #include "overlay.h"
 #include "run.h"
+#include "strategy_settings.h"
 
 namespace hlodbench {
 namespace {
@@ -101,6 +102,12 @@ void addMemoryOption(CLI::App& sub, RunOptions& o) {
       ->default_str("unlimited");
 }
 
+std::string describeStrategyOptions() {
+  std::string text;
+  for (const StrategyInfo& info : listStrategies()) text += describeOptions(info);
+  return "Options of single strategies (--set):\n" + (text.empty() ? "    none\n" : text);
+}
+
 }  // namespace
 
 void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
@@ -115,6 +122,10 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->add_option("--strategy", o->strategies, "strategies, see `hlodbench list`; comma-separated")
       ->delimiter(',')
       ->capture_default_str();
+  sub->add_option("--set", o->settings,
+                  "STRATEGY.OPTION=VALUE: an option of one strategy, see below; may be repeated")
+      ->allow_extra_args(false);
+  sub->footer(describeStrategyOptions);
   addMemoryOption(*sub, *o);
   sub->add_option("--context", o->context, "auto, egl or osmesa")->capture_default_str();
   sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");

@@ -20,6 +20,7 @@
 #include "progress_line.h"
 #include "result_folder.h"
 #include "run_options_json.h"
+#include "strategy_settings.h"
 #include "trace_file.h"
 #include "traversals/registry.h"
 
@@ -57,10 +58,15 @@ std::filesystem::path nameTrace(const RunOptions& options, const std::string& st
          (options.trace.stem().string() + "." + strategy + options.trace.extension().string());
 }
 
+std::vector<const StrategyInfo*> findAll(const std::vector<std::string>& names) {
+  std::vector<const StrategyInfo*> found;
+  for (const std::string& name : names) found.push_back(&findStrategy(name));
+  return found;
+}
+
 void checkOptions(const RunOptions& options, const Session& session) {
   if (options.strategies.empty()) throw InputError("--strategy: expected at least one, found none");
   for (const std::string& strategy : options.strategies) {
-    findStrategy(strategy);
     if (std::count(options.strategies.begin(), options.strategies.end(), strategy) > 1)
       throw InputError(fmt::format("--strategy: expected each once, found '{}' twice", strategy));
     if (!options.trace.empty() && std::filesystem::exists(nameTrace(options, strategy)))
@@ -89,6 +95,7 @@ class Runner {
  public:
   Runner(const RunOptions& options, const std::vector<std::string>& arguments)
       : options_(options), latency_(parseLatency(options.latency)) {
+    settings_.emplace(findAll(options.strategies), options.settings);
     session_ = readSession(options.session);
     applySize(options.size, session_.lens);
     checkOptions(options, session_);
@@ -169,7 +176,7 @@ class Runner {
     result_.session = {session_.name,
                        fmt::format("{:016x}", hashText(readTextFile(options_.session))),
                        static_cast<int>(session_.poses.size())};
-    result_.options = toJson(options_, session_.lens);
+    result_.options = toJson(options_, *settings_, session_.lens);
     result_.framesInFlight = options_.replay.framesInFlight;
     result_.warmUpFrames = options_.replay.warmUpFrames;
     result_.repetitions = options_.repetitions;
@@ -195,7 +202,8 @@ class Runner {
 
   std::vector<FrameRecord> replay(const StrategyInfo& info, int repetition, int order,
                                   ProgressLine& line) {
-    const auto strategy = info.make({stored_.hierarchy, options_.traversal});
+    const auto strategy =
+        info.make({stored_.hierarchy, options_.traversal, settings_->of(info.name)});
     ReplayHooks hooks;
     hooks.isInterrupted = isInterrupted;
     hooks.onFrame = [&](int frame) {
@@ -257,6 +265,7 @@ class Runner {
   }
 
   const RunOptions& options_;
+  std::optional<StrategySettings> settings_;
   Latency latency_;
   Session session_;
   StoredHierarchy stored_;

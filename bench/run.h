@@ -28,6 +28,7 @@ struct RunOptions {
   Preset preset = Preset::kPaper;
   FaceCulling faces = FaceCulling::kNone;
   TraversalOptions traversal;
+  std::vector<std::string> settings;  // STRATEGY.OPTION=VALUE, see StrategySettings
   std::string latency = "gl";
   std::filesystem::path trace;
   std::uint64_t seed = 1;  // of the order of the strategies in each repetition, and of --images N

@@ -2,7 +2,8 @@
 
 namespace hlodbench {
 
-nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
+nlohmann::json toJson(const RunOptions& options, const StrategySettings& settings,
+                      const Lens& lens) {
   const TraversalOptions& t = options.traversal;
   return {
       {"strategies", options.strategies},
@@ -17,6 +18,7 @@ nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
       {"stale_children", t.staleChildren == StaleChildren::kSkip ? "skip" : "literal"},
       {"zero_pixels", t.zeroPixels == ZeroPixels::kZeroBias ? "zero" : "literal"},
       {"simp", t.simpEstimate == SimpEstimate::kLastProcessed ? "last" : "mean"},
+      {"strategy_options", settings.toJson()},
       {"latency", options.latency},
       {"seed", options.seed},
       {"gpu_memory", options.gpuMemory == kUnlimitedMemory ? nlohmann::json()

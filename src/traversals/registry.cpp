@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hlod/core/error.h"
+#include "traversals/option_set.h"
 
 namespace hlodbench {
 namespace {
@@ -22,6 +23,12 @@ constexpr std::array kStrategies{
 };
 
 }  // namespace
+
+std::unique_ptr<Strategy> StrategyInfo::make(const StrategyInputs& inputs) const {
+  const OptionSet defaults(options);
+  return create(
+      {inputs.hierarchy, inputs.options, inputs.own.size() == 0 ? defaults.values() : inputs.own});
+}
 
 std::span<const StrategyInfo> listStrategies() {
   return kStrategies;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hlodbench/options.h>
+
 #include "hlod/tree/hierarchy.h"
 #include "traversals/options.h"
 
@@ -9,6 +11,8 @@ namespace hlodbench {
 struct StrategyInputs {
   const Hierarchy& hierarchy;
   TraversalOptions options = {};
+  // of its own options, StrategyInfo::options; without any, StrategyInfo::make() takes the defaults
+  plugin::OptionValues own = {};
 };
 
 }  // namespace hlodbench
