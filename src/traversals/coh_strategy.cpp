@@ -12,44 +12,44 @@ namespace {
 // Fig. 3, PredictRefinement(node); the comments quote it line by line.
 class CohPredictor final : public Predictor {
  public:
-  Prediction predict(NodeId id, const PredictionContext& context) override {
-    const NodeState& node = context.states[id];
-    const double tau = context.options.tau;
+  explicit CohPredictor(StaleChildren staleChildren) : staleChildren_(staleChildren) {}
+
+  Prediction predict(NodeId id, const FrameView& view) override {
+    const NodeState& node = view.state(id);
+    const double tau = view.tau();
     // if not (node.lastVisited = frameID-1) or node.visible = false then return Delay
-    if (!context.wasVisible(id)) return Prediction::kDelay;
+    if (!view.wasVisible(id)) return Prediction::kDelay;
     // if not node.stopRefinement then
     if (!node.stopRefinement) {
       // if candidateToShiftUp then if AvgBias(node.children)*CalcSSE(node) <= tau return Delay
-      const std::optional<double> averageBias = computeAverageBiasOfCandidate(id, context);
-      if (averageBias && *averageBias * context.computeSse(id) <= tau) return Prediction::kDelay;
-    } else if (node.bias * context.computeSse(id) <= tau) {
+      const std::optional<double> averageBias = computeAverageBiasOfCandidate(id, view);
+      if (averageBias && *averageBias * view.computeSse(id) <= tau) return Prediction::kDelay;
+    } else if (node.bias * view.computeSse(id) <= tau) {
       // else if node.bias*CalcSSE(node) <= tau then return Stop
       return Prediction::kStop;
     }
-    // return Refine; a leaf comes here only while its error is not 0, and has nothing to refine to
-    return context.hierarchy.node(id).isLeaf() ? Prediction::kStop : Prediction::kRefine;
+    // return Refine
+    return Prediction::kRefine;
   }
 
  private:
   // AvgBias(node.children) when the node is a candidate for pulling up the front of termination
   // nodes: refinement stopped at all its children and, estimated by Eq. 2, would stop there again.
   // Nothing when it is not.
-  static std::optional<double> computeAverageBiasOfCandidate(NodeId id,
-                                                             const PredictionContext& context) {
-    const Node& node = context.hierarchy.node(id);
+  [[nodiscard]] std::optional<double> computeAverageBiasOfCandidate(NodeId id,
+                                                                    const FrameView& view) const {
+    const plugin::Node& node = view.node(id);
     double sum = 0.0;
     int count = 0;
     // forall child in node.children do
     for (NodeId c = node.firstChild; c < node.firstChild + node.childCount; ++c) {
-      const NodeState& child = context.states[c];
+      const NodeState& child = view.state(c);
       // deviation: Fig. 3 also asks children that were outside the frustum and so keep the values
       // of some earlier frame; see docs/deviations.md
-      if (context.options.staleChildren == StaleChildren::kSkip &&
-          child.lastVisited != context.frame - 1)
-        continue;
+      if (staleChildren_ == StaleChildren::kSkip && child.lastVisited != view.frame() - 1) continue;
       // if not child.stopRefinement or not (child.bias*CalcSSE(child) <= tau)
       //   candidateToShiftUp <- false
-      if (!child.stopRefinement || child.bias * context.computeSse(c) > context.options.tau)
+      if (!child.stopRefinement || child.bias * view.computeSse(c) > view.tau())
         return std::nullopt;
       sum += child.bias;
       ++count;
@@ -57,13 +57,16 @@ class CohPredictor final : public Predictor {
     // with no child seen in the last frame there is nothing to average: not a candidate
     return count > 0 ? std::optional<double>(sum / count) : std::nullopt;
   }
+
+  StaleChildren staleChildren_;
 };
 
 }  // namespace
 
 std::unique_ptr<Strategy> makeCohStrategy(const StrategyInputs& inputs) {
-  return std::make_unique<CoherentTraversal>(inputs.hierarchy, inputs.options, Modulation::kBias,
-                                             std::make_unique<CohPredictor>());
+  return std::make_unique<CoherentTraversal>(
+      inputs.hierarchy, inputs.options, Modulation::kBias,
+      std::make_unique<CohPredictor>(inputs.options.staleChildren));
 }
 
 }  // namespace hlodbench

@@ -1,23 +1,14 @@
 #include "traversals/hierarchy_traversal.h"
 
-#include <algorithm>
-
-#include "hlod/view/projected_area.h"
-
 namespace hlodbench {
 
 HierarchyTraversal::HierarchyTraversal(const Hierarchy& hierarchy, const TraversalOptions& options,
                                        Modulation modulation)
-    : options_(options),
-      modulation_(modulation),
-      context_{hierarchy, options_, std::vector<NodeState>(hierarchy.nodes.size())},
-      frustum_(Camera{}) {}
+    : options_(options), modulation_(modulation), scene_(hierarchy, options) {}
 
 void HierarchyTraversal::renderFrame(const Camera& camera, FrameServices& services,
                                      FrameRecord& record, Trace* trace) {
-  ++context_.frame;
-  context_.camera = &camera;
-  frustum_ = Frustum(camera);
+  scene_.beginFrame(camera);
   services_ = &services;
   trace_ = trace;
   counts_ = {};
@@ -32,12 +23,11 @@ void HierarchyTraversal::renderFrame(const Camera& camera, FrameServices& servic
 }
 
 void HierarchyTraversal::push(NodeId node) {
-  priorityQueue_.emplace(computeDistance(*context_.camera, context_.hierarchy.node(node).box),
-                         node);
+  priorityQueue_.emplace(view().computeDistance(node), node);
 }
 
 void HierarchyTraversal::pushChildren(NodeId id) {
-  const Node& node = context_.hierarchy.node(id);
+  const plugin::Node& node = view().node(id);
   for (std::uint32_t i = 0; i < node.childCount; ++i) push(node.firstChild + i);
 }
 
@@ -49,7 +39,7 @@ NodeId HierarchyTraversal::popNearest() {
 }
 
 bool HierarchyTraversal::isInsideViewFrustum(NodeId node) {
-  if (frustum_.intersects(context_.hierarchy.node(node).box)) return true;
+  if (scene_.isInsideFrustum(node)) return true;
   note({TraceEvent::Type::kVisit, node});
   return false;
 }
@@ -57,7 +47,7 @@ bool HierarchyTraversal::isInsideViewFrustum(NodeId node) {
 void HierarchyTraversal::beginVisit(NodeId node, Prediction prediction) {
   NodeState& s = state(node);
   s.visible = false;
-  s.lastVisited = context_.frame;
+  s.lastVisited = view().frame();
   s.stopRefinement = prediction != Prediction::kRefine;
   s.delayed = prediction == Prediction::kDelay;
   if (s.delayed) ++counts_.delays;
@@ -66,16 +56,17 @@ void HierarchyTraversal::beginVisit(NodeId node, Prediction prediction) {
           .node = node,
           .inFrustum = true,
           .prediction = prediction,
-          .sse = context_.computeSse(node)});
+          .sse = view().computeSse(node)});
 }
 
 bool HierarchyTraversal::isNear(NodeId node) const {
-  return isCutByNearPlane(*context_.camera, context_.hierarchy.node(node).box);
+  return scene_.isCutByNearPlane(node);
 }
 
 void HierarchyTraversal::decideNear(NodeId node) {
   note({TraceEvent::Type::kNear, node});
   pullUpVisibility(node);
+  state(node).mu = 1.0;
   state(node).bias = 1.0;  // B(1)
   state(node).stopRefinement = isWithinTolerance(node);
   traverse(node);
@@ -90,14 +81,10 @@ void HierarchyTraversal::issueQuery(NodeId node) {
 bool HierarchyTraversal::finishQuery(NodeId node) {
   NodeState& s = state(node);
   const std::uint32_t pixels = services_->getResult(node);
-  // the rasteriser and the analytic area may differ along the outline: a box under a pixel counts
-  // as one, and mu is clamped
-  const double boxPixels =
-      std::max(1.0, computeProjectedArea(*context_.camera, context_.hierarchy.node(node).box));
-  const double mu = std::min(1.0, pixels / boxPixels);
+  const double boxPixels = scene_.storePixels(node, pixels);
   if (pixels > 0) {
     pullUpVisibility(node);
-    s.bias = modulation_ == Modulation::kBias ? computeBias(mu, options_.bias) : 1.0;
+    s.bias = modulation_ == Modulation::kBias ? computeBias(s.mu, options_.bias) : 1.0;
     s.stopRefinement = isWithinTolerance(node);
   } else if (options_.zeroPixels == ZeroPixels::kZeroBias) {
     // deviation: Fig. 2 leaves the old bias in place; see docs/deviations.md
@@ -107,7 +94,7 @@ bool HierarchyTraversal::finishQuery(NodeId node) {
         .node = node,
         .pixels = pixels,
         .boxPixels = boxPixels,
-        .mu = mu,
+        .mu = s.mu,
         .bias = s.bias,
         .stop = s.stopRefinement});
   return pixels > 0;
@@ -119,7 +106,7 @@ void HierarchyTraversal::traverse(NodeId node) {
     render(node);
     return;
   }
-  if (s.lastRendered == context_.frame) {
+  if (s.lastRendered == view().frame()) {
     ++counts_.refinedAfterRender;
     note({TraceEvent::Type::kRarn, node});
   }
@@ -130,11 +117,11 @@ void HierarchyTraversal::render(NodeId node) {
   NodeState& s = state(node);
   // a node drawn on a Stop whose result confirms it comes here again; Fig. 2 leaves out this guard,
   // which the demo program of Bittner et al. has
-  if (s.lastRendered == context_.frame) return;
-  s.lastRendered = context_.frame;
+  if (s.lastRendered == view().frame()) return;
+  s.lastRendered = view().frame();
   ++counts_.drawn;
   if (s.delayed) ++counts_.delayedDrawn;
-  counts_.triangles += context_.hierarchy.node(node).triangleCount();
+  counts_.triangles += view().node(node).triangleCount;
   note({TraceEvent::Type::kDraw, node});
   services_->draw(node);
 }
@@ -142,14 +129,14 @@ void HierarchyTraversal::render(NodeId node) {
 void HierarchyTraversal::pullUpVisibility(NodeId node) {
   while (node != kNoNode && !state(node).visible) {
     state(node).visible = true;
-    node = context_.hierarchy.node(node).parent;
+    node = view().node(node).parent;
   }
 }
 
 bool HierarchyTraversal::isWithinTolerance(NodeId node) const {
   // a leaf has no error and nothing to refine into: it always stops
-  return context_.hierarchy.node(node).isLeaf() ||
-         context_.states[node].bias * context_.computeSse(node) <= options_.tau;
+  return view().node(node).isLeaf() ||
+         view().state(node).bias * view().computeSse(node) <= options_.tau;
 }
 
 }  // namespace hlodbench

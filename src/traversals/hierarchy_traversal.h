@@ -4,17 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "hlod/view/frustum.h"
-#include "traversals/prediction_context.h"
+#include "traversals/predictor.h"
+#include "traversals/scene_view.h"
 #include "traversals/strategy.h"
 
 namespace hlodbench {
-
-// How occlusion enters the refinement condition.
-enum class Modulation {
-  kNone,  // SSE alone: queries are as if their result were boolean
-  kBias   // VMSSE = B(mu) * SSE (paper, Eq. 1)
-};
 
 // What every traversal of the HLOD hierarchy shares: the priority queue, the operations that the
 // pseudocode names, counters and the trace. A subclass writes only its frame algorithm.
@@ -27,7 +21,7 @@ class HierarchyTraversal : public Strategy {
                    Trace* trace) final;
 
   // What is remembered of each node, for tests and overlays.
-  [[nodiscard]] const std::vector<NodeState>& states() const { return context_.states; }
+  [[nodiscard]] const std::vector<NodeState>& states() const { return scene_.states(); }
 
  protected:
   // One frame, from an empty priority queue to an empty one.
@@ -55,9 +49,9 @@ class HierarchyTraversal : public Strategy {
   // Marks the node and all above it as visible.
   void pullUpVisibility(NodeId node);
 
-  [[nodiscard]] NodeState& state(NodeId node) { return context_.states[node]; }
+  [[nodiscard]] NodeState& state(NodeId node) { return scene_.state(node); }
   [[nodiscard]] FrameServices& services() { return *services_; }
-  [[nodiscard]] const PredictionContext& context() const { return context_; }
+  [[nodiscard]] const FrameView& view() const { return scene_.frame(); }
 
  private:
   using Entry = std::pair<double, NodeId>;  // distance, then id: a total order
@@ -75,9 +69,8 @@ class HierarchyTraversal : public Strategy {
 
   TraversalOptions options_;
   Modulation modulation_;
-  PredictionContext context_;
+  SceneView scene_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> priorityQueue_;
-  Frustum frustum_;
   FrameServices* services_ = nullptr;
   Trace* trace_ = nullptr;
   Counts counts_;

@@ -1,10 +1,13 @@
 #include "traversals/registry.h"
 
 #include <array>
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "hlod/core/error.h"
 #include "traversals/option_set.h"
+#include "traversals/plugin_strategy.h"
 
 namespace hlodbench {
 namespace {
@@ -24,23 +27,54 @@ constexpr std::array kStrategies{
 
 }  // namespace
 
-std::unique_ptr<Strategy> StrategyInfo::make(const StrategyInputs& inputs) const {
-  const OptionSet defaults(options);
-  return create(
-      {inputs.hierarchy, inputs.options, inputs.own.size() == 0 ? defaults.values() : inputs.own});
+// The strategies of a file that is written like a plug-in, in which HLODBENCH_PLUGIN(NAME, ...)
+// stands. No header declares them, so that a new file needs one line, below.
+#define PLUGIN_FILE(name)                                  \
+  [] {                                                     \
+    extern plugin::StrategyList listStrategiesOf_##name(); \
+    return listStrategiesOf_##name();                      \
+  }
+
+namespace {
+
+std::vector<StrategyInfo> joinStrategies(
+    std::initializer_list<plugin::StrategyList (*)()> pluginFiles) {
+  std::vector<StrategyInfo> all(kStrategies.begin(), kStrategies.end());
+  for (const auto listFile : pluginFiles) {
+    const plugin::StrategyList list = listFile();
+    for (std::uint32_t i = 0; i < list.count; ++i)
+      all.push_back(describeStrategy(list.strategies[i]));
+  }
+  return all;
 }
+
+}  // namespace
 
 std::span<const StrategyInfo> listStrategies() {
-  return kStrategies;
+  static const std::vector<StrategyInfo> strategies = joinStrategies({
+      // one line a file: PLUGIN_FILE(name),
+  });
+  return strategies;
 }
 
-const StrategyInfo& findStrategy(std::string_view name) {
+const StrategyInfo& findStrategy(std::string_view name, std::span<const StrategyInfo> strategies) {
   std::string known;
-  for (const StrategyInfo& info : kStrategies) {
+  for (const StrategyInfo& info : strategies) {
     if (info.name == name) return info;
     known += (known.empty() ? "" : ", ") + std::string(info.name);
   }
   throw InputError("--strategy: expected one of " + known + ", found '" + std::string(name) + "'");
+}
+
+std::unique_ptr<Strategy> StrategyInfo::make(const StrategyInputs& inputs) const {
+  const OptionSet defaults(options);
+  const StrategyInputs all{inputs.hierarchy, inputs.options,
+                           inputs.own.size() == 0 ? defaults.values() : inputs.own};
+  return descriptor != nullptr ? makePluginStrategy(*descriptor, all) : create(all);
+}
+
+StrategyInfo describeStrategy(const plugin::StrategyDescriptor& d) {
+  return {d.name, d.label, d.description, nullptr, {d.options, d.optionCount}, &d};
 }
 
 }  // namespace hlodbench
