@@ -1,18 +1,25 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "commands.h"
+#include "hlod/core/error.h"
 #include "hlod/render/gl_context.h"
 #include "metrics/counters.h"
 #include "overlay.h"
+#include "plugin_option.h"
 #include "strategy_settings.h"
-#include "traversals/registry.h"
+#include "supervisor.h"
+#include "traversals/plugin_library.h"
 
 namespace hlodbench {
 namespace {
 
-void listEverything() {
+void listEverything(const std::vector<std::filesystem::path>& plugins, Heartbeat& heartbeat) {
+  const auto strategies = listStrategies(
+      plugins, [&](int plugin) { heartbeat.enter(Heartbeat::Stage::kLoading, plugin); });
   fmt::print("Strategies (--strategy):\n");
-  for (const StrategyInfo& s : listStrategies())
+  for (const StrategyInfo& s : strategies)
     fmt::print("  {:<14} {}: {}\n{}", s.name, s.label, s.description, describeOptions(s));
   fmt::print("\nContexts (--context):\n  {:<14} {}\n", "auto",
              "the first of these that works; says what it tried");
@@ -27,8 +34,19 @@ void listEverything() {
 }  // namespace
 
 void addListCommand(CLI::App& app) {
-  app.add_subcommand("list", "Print the strategies, contexts and counters, one line each")
-      ->callback(listEverything);
+  auto plugins = std::make_shared<std::vector<std::filesystem::path>>();
+  CLI::App* sub =
+      app.add_subcommand("list", "Print the strategies, contexts and counters, one line each");
+  addPluginOption(*sub, *plugins);
+  sub->callback([plugins] {
+    Heartbeat alone;
+    Watch watch{&alone};
+    if (!plugins->empty())
+      if (const auto code = supervise(watch, {.plugins = *plugins})) throw CLI::RuntimeError(*code);
+    const Leaving leaving(*watch.heartbeat);
+    listEverything(*plugins, *watch.heartbeat);
+    watch.heartbeat->exitCode = static_cast<int>(ExitCode::kOk);
+  });
 }
 
 }  // namespace hlodbench

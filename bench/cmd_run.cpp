@@ -8,8 +8,10 @@
 #include "hlod/core/error.h"
 #include "number_range.h"
 #include "overlay.h"
+#include "plugin_option.h"
 #include "run.h"
 #include "strategy_settings.h"
+#include "traversals/plugin_library.h"
 
 namespace hlodbench {
 namespace {
@@ -102,9 +104,9 @@ void addMemoryOption(CLI::App& sub, RunOptions& o) {
       ->default_str("unlimited");
 }
 
-std::string describeStrategyOptions() {
+std::string describeStrategyOptions(const std::vector<std::filesystem::path>& plugins) {
   std::string text;
-  for (const StrategyInfo& info : listStrategies()) text += describeOptions(info);
+  for (const StrategyInfo& info : listStrategies(plugins)) text += describeOptions(info);
   return "Options of single strategies (--set):\n" + (text.empty() ? "    none\n" : text);
 }
 
@@ -125,7 +127,13 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->add_option("--set", o->settings,
                   "STRATEGY.OPTION=VALUE: an option of one strategy, see below; may be repeated")
       ->allow_extra_args(false);
-  sub->footer(describeStrategyOptions);
+  addPluginOption(*sub, o->plugins);
+  sub->add_option("--frame-timeout", o->frameTimeout,
+                  "with --plugin: seconds that a frame may take, 0 for any time; a strategy that "
+                  "takes longer fails, and the run goes on")
+      ->capture_default_str()
+      ->check(makeNumberRange(0.0, 86400.0));
+  sub->footer([o] { return describeStrategyOptions(o->plugins); });
   addMemoryOption(*sub, *o);
   sub->add_option("--context", o->context, "auto, egl or osmesa")->capture_default_str();
   sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");
@@ -152,7 +160,17 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
       if (sub->count("--tau") == 0) o->traversal.tau = kBestTau;
       if (sub->count("--faces") == 0) o->faces = FaceCulling::kBackWhereConsistent;
     }
-    if (!run(*o, arguments)) throw CLI::RuntimeError(static_cast<int>(ExitCode::kCheckFailed));
+    Heartbeat alone;
+    Watch watch{&alone};
+    // plug-ins may crash, and nothing is loaded yet
+    if (!o->plugins.empty())
+      if (const auto code = supervise(watch, makeSupervisorOptions(*o)))
+        throw CLI::RuntimeError(*code);
+    const Leaving leaving(*watch.heartbeat);
+    const bool succeeded = run(*o, arguments, watch);
+    const ExitCode code = succeeded ? ExitCode::kOk : ExitCode::kCheckFailed;
+    watch.heartbeat->exitCode = static_cast<int>(code);
+    if (!succeeded) throw CLI::RuntimeError(static_cast<int>(code));
   });
 }
 

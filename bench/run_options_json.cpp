@@ -1,6 +1,25 @@
 #include "run_options_json.h"
 
+#include <fmt/format.h>
+
+#include "hlod/tree/hasher.h"
+#include "metrics/text_file.h"
+
 namespace hlodbench {
+namespace {
+
+nlohmann::json describePlugins(const std::vector<std::filesystem::path>& plugins) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const std::filesystem::path& file : plugins) {
+    const std::string content = readTextFile(file);
+    json.push_back(
+        {{"file", file.string()},
+         {"hash", fmt::format("{:016x}", computeHash(std::as_bytes(std::span(content))))}});
+  }
+  return json;
+}
+
+}  // namespace
 
 nlohmann::json toJson(const RunOptions& options, const StrategySettings& settings,
                       const Lens& lens) {
@@ -19,6 +38,7 @@ nlohmann::json toJson(const RunOptions& options, const StrategySettings& setting
       {"zero_pixels", t.zeroPixels == ZeroPixels::kZeroBias ? "zero" : "literal"},
       {"simp", t.simpEstimate == SimpEstimate::kLastProcessed ? "last" : "mean"},
       {"strategy_options", settings.toJson()},
+      {"plugins", describePlugins(options.plugins)},
       {"latency", options.latency},
       {"seed", options.seed},
       {"gpu_memory", options.gpuMemory == kUnlimitedMemory ? nlohmann::json()

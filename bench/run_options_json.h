@@ -7,7 +7,7 @@
 
 namespace hlodbench {
 
-// The effective options, as stored in run.json.
+// The effective options, as stored in run.json. Reads the plug-ins, for their hashes.
 nlohmann::json toJson(const RunOptions& options, const StrategySettings& settings,
                       const Lens& lens);
 

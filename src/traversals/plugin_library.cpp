@@ -88,16 +88,20 @@ std::vector<StrategyInfo> loadPlugin(const std::filesystem::path& file) {
   return infos;
 }
 
-std::vector<StrategyInfo> listStrategies(const std::vector<std::filesystem::path>& plugins) {
+std::vector<StrategyInfo> listStrategies(const std::vector<std::filesystem::path>& plugins,
+                                         const std::function<void(int)>& onLoad) {
   const std::span<const StrategyInfo> ours = listStrategies();
   std::vector<StrategyInfo> all(ours.begin(), ours.end());
-  for (const std::filesystem::path& file : plugins)
-    for (const StrategyInfo& info : loadPlugin(file)) {
+  for (std::size_t i = 0; i < plugins.size(); ++i) {
+    onLoad(static_cast<int>(i));
+    for (const StrategyInfo& info : loadPlugin(plugins[i])) {
       if (std::any_of(all.begin(), all.end(),
                       [&](const StrategyInfo& other) { return other.name == info.name; }))
-        fail(file, fmt::format("expected strategies with new names, found '{}' again", info.name));
+        fail(plugins[i],
+             fmt::format("expected strategies with new names, found '{}' again", info.name));
       all.push_back(info);
     }
+  }
   return all;
 }
 

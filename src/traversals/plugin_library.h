@@ -3,6 +3,7 @@
 #include <hlodbench/plugin.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@ std::vector<StrategyInfo> loadPlugin(const std::filesystem::path& file);
 // than holds for its version.
 std::string checkPlugin(const plugin::PluginDescriptor& descriptor);
 
-// Those of the tree and of the plug-ins. Throws InputError as loadPlugin(), and for a name that is
-// there already.
-std::vector<StrategyInfo> listStrategies(const std::vector<std::filesystem::path>& plugins);
+// Those of the tree and of the plug-ins; onLoad gets the place of each before it is opened. Throws
+// InputError as loadPlugin(), and for a name that is there already.
+std::vector<StrategyInfo> listStrategies(
+    const std::vector<std::filesystem::path>& plugins,
+    const std::function<void(int)>& onLoad = [](int) {});
 
 }  // namespace hlodbench
