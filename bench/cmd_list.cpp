@@ -33,16 +33,17 @@ void listEverything(const std::vector<std::filesystem::path>& plugins, Heartbeat
 
 }  // namespace
 
-void addListCommand(CLI::App& app) {
+void addListCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   auto plugins = std::make_shared<std::vector<std::filesystem::path>>();
   CLI::App* sub =
       app.add_subcommand("list", "Print the strategies, contexts and counters, one line each");
   addPluginOption(*sub, *plugins);
-  sub->callback([plugins] {
+  sub->callback([plugins, arguments] {
     Heartbeat alone;
     Watch watch{&alone};
     if (!plugins->empty())
-      if (const auto code = supervise(watch, {.plugins = *plugins})) throw CLI::RuntimeError(*code);
+      if (const auto code = supervise(watch, arguments, {.plugins = *plugins}))
+        throw CLI::RuntimeError(*code);
     const Leaving leaving(*watch.heartbeat);
     listEverything(*plugins, *watch.heartbeat);
     watch.heartbeat->exitCode = static_cast<int>(ExitCode::kOk);

@@ -162,9 +162,9 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
     }
     Heartbeat alone;
     Watch watch{&alone};
-    // plug-ins may crash, and nothing is loaded yet
+    // plug-ins may crash
     if (!o->plugins.empty())
-      if (const auto code = supervise(watch, makeSupervisorOptions(*o)))
+      if (const auto code = supervise(watch, arguments, makeSupervisorOptions(*o)))
         throw CLI::RuntimeError(*code);
     const Leaving leaving(*watch.heartbeat);
     const bool succeeded = run(*o, arguments, watch);

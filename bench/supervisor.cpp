@@ -1,6 +1,8 @@
 #include "supervisor.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -11,8 +13,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <new>
 #include <stdexcept>
 
@@ -25,12 +28,29 @@ using Stage = Heartbeat::Stage;
 
 constexpr double kLongestPause = 0.25;  // seconds between two looks at the heartbeat
 
-Heartbeat* makeSharedHeartbeat() {
-  void* const memory =
-      mmap(nullptr, sizeof(Heartbeat), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED)
-    throw std::runtime_error(fmt::format("no shared memory: {}", std::strerror(errno)));
-  return new (memory) Heartbeat;
+constexpr const char* kVariable = "HLODBENCH_WATCH";  // the descriptor of the shared memory
+constexpr int kMostLost = 256;                        // at most one a strategy
+
+// What the two processes share.
+struct Shared {
+  Heartbeat heartbeat;
+  // written by the supervisor before a worker starts
+  bool isContinued = false;
+  int lostCount = 0;
+  struct {
+    int index;
+    char error[256];
+  } lost[kMostLost] = {};
+};
+
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+Shared* mapShared(int fd) {
+  void* const memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+  if (memory == MAP_FAILED) fail("no shared memory");
+  return static_cast<Shared*>(memory);
 }
 
 std::string nameSignal(int signal) {
@@ -60,35 +80,49 @@ struct Ending {
   int request = 0;  // a signal that asked the supervisor for an end
 };
 
+// Signals of this process, kept by a handler: which thread gets them is not known.
+std::atomic<int> requested{0};  // SIGINT or SIGTERM
+std::atomic<bool> isToStop{false};
+int wakeUp[2] = {-1, -1};  // a pipe
+
+void onSignal(int signal) {
+  const int error = errno;
+  if (signal == SIGINT || signal == SIGTERM) requested = signal;
+  if (signal == SIGTSTP) isToStop = true;
+  [[maybe_unused]] const ssize_t written = write(wakeUp[1], "", 1);
+  errno = error;
+}
+
 class Supervisor {
  public:
-  Supervisor(Watch& watch, const SupervisorOptions& options) : watch_(watch), options_(options) {
-    sigemptyset(&signals_);
-    for (const int signal : {SIGCHLD, SIGINT, SIGTERM, SIGTSTP}) sigaddset(&signals_, signal);
-    sigprocmask(SIG_BLOCK, &signals_, &before_);
-    watch_.heartbeat = makeSharedHeartbeat();
+  Supervisor(Watch& watch, const std::vector<std::string>& arguments,
+             const SupervisorOptions& options)
+      : watch_(watch), options_(options) {
+    fd_ = memfd_create("hlodbench", 0);
+    if (fd_ < 0 || ftruncate(fd_, sizeof(Shared)) != 0) fail("no shared memory");
+    shared_ = new (mapShared(fd_)) Shared;
+    watch_.heartbeat = &shared_->heartbeat;
+    if (pipe2(wakeUp, O_CLOEXEC | O_NONBLOCK) != 0) fail("no pipe");
+    setenv(kVariable, std::to_string(fd_).c_str(), 1);
+    for (const std::string& argument : arguments)
+      argv_.push_back(const_cast<char*>(argument.c_str()));
+    argv_.push_back(nullptr);
+    struct sigaction action {};
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGCHLD, SIGINT, SIGTERM, SIGTSTP})
+      sigaction(signal, &action, nullptr);
   }
 
-  // As supervise().
-  std::optional<int> run() {
+  int run() {
     for (;;) {
-      const pid_t supervisor = getpid();
-      new (watch_.heartbeat) Heartbeat;
-      worker_ = fork();
-      if (worker_ < 0)
-        throw std::runtime_error(fmt::format("no new process: {}", std::strerror(errno)));
-      if (worker_ == 0) {
-        beWorker(supervisor);
-        return std::nullopt;
-      }
-      setpgid(worker_, worker_);  // whoever comes first
+      startWorker();
       const Ending ending = await();
       removeWhatAWorkerLeft();
       if (const std::optional<int> code = judge(ending)) {
         removeTemporary();
-        return code;
+        return *code;
       }
-      watch_.isContinued = true;
     }
   }
 
@@ -99,13 +133,22 @@ class Supervisor {
     bool operator==(const Place&) const = default;
   };
 
-  void beWorker(pid_t supervisor) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != supervisor) _exit(1);
-    // a group of its own: Ctrl-C goes to the supervisor, which passes it on once
-    setpgid(0, 0);
-    std::signal(SIGTTOU, SIG_IGN);
-    sigprocmask(SIG_SETMASK, &before_, nullptr);
+  void startWorker() {
+    new (&shared_->heartbeat) Heartbeat;
+    const pid_t supervisor = getpid();
+    worker_ = fork();
+    if (worker_ < 0) fail("no new process");
+    if (worker_ == 0) {
+      // only what is allowed after a fork of several threads
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (getppid() != supervisor) _exit(1);
+      // a group of its own: Ctrl-C goes to the supervisor, which passes it on once
+      setpgid(0, 0);
+      std::signal(SIGTTOU, SIG_IGN);
+      execv("/proc/self/exe", argv_.data());
+      _exit(127);
+    }
+    setpgid(worker_, worker_);  // whoever comes first
   }
 
   Ending await() {
@@ -113,12 +156,13 @@ class Supervisor {
     Ending ending;
     const double timeout = options_.frameTimeout;
     const double pause = timeout > 0.0 ? std::min(kLongestPause, timeout / 4) : kLongestPause;
-    const timespec wait{0, static_cast<long>(1e9 * pause)};
     Place place = readPlace();
     double waited = 0.0;
     auto last = Clock::now();
     while (waitpid(worker_, &ending.status, WNOHANG) == 0) {
-      pass(sigtimedwait(&signals_, nullptr, &wait), ending);
+      pollfd event{wakeUp[0], POLLIN, 0};
+      poll(&event, 1, std::max(1, static_cast<int>(1e3 * pause)));
+      passSignals(ending);
       const auto now = Clock::now();
       // if it was longer, this process was stopped, and the worker probably too
       waited += std::min(std::chrono::duration<double>(now - last).count(), 2.0 * pause);
@@ -137,11 +181,15 @@ class Supervisor {
     return ending;
   }
 
-  void pass(int signal, Ending& ending) {
-    if (signal == SIGINT || signal == SIGTERM) {
+  void passSignals(Ending& ending) {
+    char bytes[64];
+    while (read(wakeUp[0], bytes, sizeof bytes) > 0) {
+    }
+    if (const int signal = requested.exchange(0); signal != 0) {
       ending.request = signal;
       kill(worker_, signal);
-    } else if (signal == SIGTSTP) {
+    }
+    if (isToStop.exchange(false)) {
       kill(-worker_, SIGSTOP);
       raise(SIGSTOP);
       kill(-worker_, SIGCONT);
@@ -165,10 +213,16 @@ class Supervisor {
                  options_.plugins.at(place.index).string(), describe(ending));
       return static_cast<int>(ExitCode::kBadInput);
     }
-    watch_.lost.push_back({place.index, describeReplay(ending, place.frame)});
-    if (ending.request == 0) return std::nullopt;
-    fmt::print(stderr, "hlodbench: interrupted; {}\n", watch_.lost.back().error);
-    return static_cast<int>(ExitCode::kCheckFailed);
+    const std::string error = describeReplay(ending, place.frame);
+    if (ending.request != 0 || shared_->lostCount == kMostLost) {
+      fmt::print(stderr, "hlodbench: interrupted; {}\n", error);
+      return static_cast<int>(ExitCode::kCheckFailed);
+    }
+    auto& lost = shared_->lost[shared_->lostCount++];
+    lost.index = place.index;
+    std::snprintf(lost.error, sizeof lost.error, "%s", error.c_str());
+    shared_->isContinued = true;
+    return std::nullopt;
   }
 
   [[nodiscard]] std::string describe(const Ending& ending) const {
@@ -210,14 +264,27 @@ class Supervisor {
 
   Watch& watch_;
   const SupervisorOptions& options_;
-  sigset_t signals_{}, before_{};
+  int fd_ = -1;
+  Shared* shared_ = nullptr;
+  std::vector<char*> argv_;
   pid_t worker_ = -1;
 };
 
 }  // namespace
 
-std::optional<int> supervise(Watch& watch, const SupervisorOptions& options) {
-  return Supervisor(watch, options).run();
+std::optional<int> supervise(Watch& watch, const std::vector<std::string>& arguments,
+                             const SupervisorOptions& options) {
+  const char* const descriptor = std::getenv(kVariable);
+  if (descriptor == nullptr) return Supervisor(watch, arguments, options).run();
+  const int fd = std::atoi(descriptor);
+  Shared* const shared = mapShared(fd);
+  close(fd);
+  unsetenv(kVariable);
+  watch.heartbeat = &shared->heartbeat;
+  watch.isContinued = shared->isContinued;
+  for (int i = 0; i < shared->lostCount; ++i)
+    watch.lost.push_back({shared->lost[i].index, shared->lost[i].error});
+  return std::nullopt;
 }
 
 }  // namespace hlodbench

@@ -32,14 +32,16 @@ struct SupervisorOptions {
       {};  // files from worker to worker, removed at the end
 };
 
-// Splits the process in two, so that a plug-in that crashes or never comes back costs one replay
-// and not the run. The worker does all the work, in one process, as without a plug-in; the
+// Leaves the work to a second process, so that a plug-in that crashes or never comes back costs one
+// replay and not the run. The worker does all the work, in one process, as without a plug-in; the
 // supervisor waits. When the worker ends by itself, or for a reason that is no plug-in's, so does
 // the supervisor. When it dies within a replay, or a frame takes too long, the next worker goes on
 // behind that replay.
 //
-// To be called before there is a thread. Returns nothing in a worker, with `watch` filled, and the
-// exit code in the supervisor. Signals that ask for an end are passed on.
-std::optional<int> supervise(Watch& watch, const SupervisorOptions& options);
+// A worker is the program started anew with the same arguments, since libraries have threads that a
+// fork alone would lose. To be called first of all. Returns nothing in a worker, with `watch`
+// filled, and the exit code in the supervisor. Signals that ask for an end are passed on.
+std::optional<int> supervise(Watch& watch, const std::vector<std::string>& arguments,
+                             const SupervisorOptions& options);
 
 }  // namespace hlodbench
