@@ -10,6 +10,7 @@ HEADERS = pathlib.Path(__file__).resolve().parents[2] / "src/traversals/plugin"
 FAULTY = r"""
 #include <hlodbench/plugin.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 
@@ -47,7 +48,7 @@ class Faulty final : public Predictor {
     if (fault_ == "odd") throw 42;
     if (fault_ == "node") (void)view.state(view.nodeCount());
     if (fault_ == "far") (void)view.computeSse(kNoNode);
-    if (fault_ == "loop") for (volatile int i = 0;; i = i + 1) {}
+    if (fault_ == "loop") for (std::atomic<int> i{0};; ++i) {}
     if (fault_ == "crash") std::raise(SIGSEGV);
     if (fault_ == "exit") std::_Exit(0);
   }
@@ -62,10 +63,13 @@ HLODBENCH_PLUGIN(faulty, describe<Faulty>("faulty", "Faulty", "of a test", kOpti
                                           Modulation::kNone));
 """
 
-# A whole strategy: stop-and-wait in the order of a stack, which goes wrong in a frame if told so.
+# A whole strategy: stop-and-wait, as SW(B) but by the means of a plug-in, which goes wrong in a frame if told so.
 WHOLE = r"""
 #include <hlodbench/plugin.h>
 
+#include <functional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -83,16 +87,18 @@ class Whole final : public Strategy {
 
   void renderFrame(const FrameView& view, Frame& frame) override {
     if (view.frame() == 3) goWrong(frame);
-    std::vector<NodeId> open{kRoot};
+    using Entry = std::pair<double, NodeId>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
+    open.emplace(0.0, kRoot);
     while (!open.empty()) {
-      const NodeId id = open.back();
-      open.pop_back();
+      const NodeId id = open.top().second;
+      open.pop();
       frame.noteVisit(id);
       if (!view.isInsideFrustum(id)) continue;
+      frame.noteDelay(id);
       const Node& node = view.node(id);
       double bias = 1.0;
       if (!view.isCutByNearPlane(id)) {
-        frame.noteDelay(id);
         frame.issueQuery(id);
         if (frame.getResult(id) == 0) continue;
         bias = view.state(id).bias;
@@ -101,7 +107,8 @@ class Whole final : public Strategy {
       // every refined node is drawn first
       if (stops || (fault_ == "refine" && view.frame() == 3)) frame.draw(id);
       if (stops) continue;
-      for (NodeId child = 0; child < node.childCount; ++child) open.push_back(node.firstChild + child);
+      for (NodeId child = node.firstChild; child < node.firstChild + node.childCount; ++child)
+        open.emplace(view.computeDistance(child), child);
     }
   }
 

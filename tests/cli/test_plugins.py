@@ -84,13 +84,8 @@ def test_predictor_like_bool_does_what_bool_does(good):
     assert read_counts(good / "faulty.0.csv") == read_counts(good / "bool.0.csv")
 
 
-def test_whole_strategy_draws_the_front_of_stop_and_wait(good):
-    whole, ours = read_counts(good / "whole.0.csv"), read_counts(good / "sw-b.0.csv")
-    # in another order, so that hidden boxes may differ a little
-    for a, b in zip(whole, ours):
-        assert all(value != "" for value in a)
-        assert abs(float(a[0]) - float(b[0])) <= 0.15 * float(b[0])
-        assert a[1] == "0" and a[0] == a[2]
+def test_whole_strategy_like_stop_and_wait_does_what_it_does(good):
+    assert read_counts(good / "whole.0.csv") == read_counts(good / "sw-b.0.csv")
 
 
 def test_run_json_has_options_and_plugins(world, good):
@@ -334,6 +329,6 @@ def test_an_unknown_strategy_names_those_of_the_plugins(world):
 def test_headers_compile_by_themselves_as_every_standard(tmp_path):
     for header in ("options", "bias", "frame_view", "predictor", "strategy", "plugin"):
         source = f"#include <hlodbench/{header}.h>\n#include <hlodbench/{header}.h>\n"
-        compile_plugin(tmp_path, header, source)
+        compile_plugin(tmp_path, header, source, "-fsyntax-only")
     for standard in ("c++17", "c++20", "c++23"):
-        compile_plugin(tmp_path, "faulty", FAULTY, standard=standard)
+        compile_plugin(tmp_path, "faulty", FAULTY, "-fsyntax-only", standard=standard)
