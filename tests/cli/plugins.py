@@ -59,8 +59,11 @@ class Faulty final : public Predictor {
 
 }  // namespace
 
-HLODBENCH_PLUGIN(faulty, describe<Faulty>("faulty", "Faulty", "of a test", kOptions,
-                                          Modulation::kNone));
+#define DESCRIBE(name) describe<Faulty>(name, "Faulty", "of a test", kOptions, Modulation::kNone)
+HLODBENCH_PLUGIN(faulty, DESCRIBE("faulty"), DESCRIBE("faulty-throw"), DESCRIBE("faulty-odd"),
+                 DESCRIBE("faulty-node"), DESCRIBE("faulty-far"), DESCRIBE("faulty-throwmade"),
+                 DESCRIBE("faulty-loop"), DESCRIBE("faulty-crash"), DESCRIBE("faulty-exit"),
+                 DESCRIBE("faulty-make"), DESCRIBE("faulty-remove"));
 """
 
 # A whole strategy: stop-and-wait, as SW(B) but by the means of a plug-in, which goes wrong in a frame if told so.
@@ -130,12 +133,19 @@ class Whole final : public Strategy {
 
 }  // namespace
 
-HLODBENCH_PLUGIN(whole, describe<Whole>("whole", "Whole", "of a test", kOptions));
+#define DESCRIBE(name) describe<Whole>(name, "Whole", "of a test", kOptions)
+HLODBENCH_PLUGIN(whole, DESCRIBE("whole"), DESCRIBE("whole-twice"), DESCRIBE("whole-caught"),
+                 DESCRIBE("whole-unknown"), DESCRIBE("whole-unqueried"), DESCRIBE("whole-requery"),
+                 DESCRIBE("whole-poll"));
 """
 
-# A description that is changed before it is handed out.
+# A description that is changed as the environment says before it is handed out.
 CHANGED = r"""
 #include <hlodbench/plugin.h>
+
+#include <cstdlib>
+#include <string>
+
 using namespace hlodbench::plugin;
 struct Mine : Predictor {
   Prediction predict(NodeId, const FrameView&) override { return Prediction::kDelay; }
@@ -144,7 +154,18 @@ extern "C" const PluginDescriptor* hlodbench_plugin() {
   static StrategyDescriptor strategies[] = {describe<Mine>("mine", "Mine", "of a test"),
                                             describe<Mine>("yours", "Yours", "of a test")};
   static PluginDescriptor descriptor = makePluginDescriptor({strategies, 2});
-  CHANGE;
+  const char* const variable = std::getenv("CHANGE");
+  const std::string change = variable == nullptr ? "" : variable;
+  if (change == "major") descriptor.apiMajor = 2;
+  if (change == "minor") descriptor.apiMinor = 1;
+  if (change == "library") descriptor.abi = "another library";
+  if (change == "layout") descriptor.nodeBytes += 8;
+  if (change == "none") descriptor.list.count = 0;
+  if (change == "name") strategies[0].name = "My own";
+  if (change == "twice") strategies[1].name = "mine";
+  if (change == "taken") strategies[1].name = "coh-b";
+  if (change == "label") strategies[1].label = "two\nlines";
+  if (change == "nothing") strategies[1].makePredictor = nullptr;
   return &descriptor;
 }
 """

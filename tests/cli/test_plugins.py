@@ -34,11 +34,12 @@ class World:
         self.faulty = compile_plugin(folder, "faulty", FAULTY)
         self.whole = compile_plugin(folder, "whole", WHOLE)
 
-    def arguments(self, out, strategies, *options):
+    def arguments(self, out, strategies, *options, timeout="1"):
         return ["run", "--scene", self.hlod, "--session", self.session, "--out", out,
                 "--strategy", strategies, "--warm-up", "0", "--latency", "draws:4",
-                "--images", "2", "--plugin", self.faulty, "--plugin", self.whole,
-                "--frame-timeout", "1", *options]
+                *(() if "--images" in options else ("--images", "2")),
+                "--plugin", self.faulty, "--plugin", self.whole,
+                "--frame-timeout", timeout, *options]
 
     def run(self, name, strategies, *options):
         """The ended process, and run.json by (strategy, repetition)."""
@@ -146,55 +147,63 @@ def test_trace_of_a_whole_strategy_has_what_it_did(world):
 # What goes wrong in a run
 
 
-NO_NODE = f"frame 3: asked for node {NODES}; the hierarchy has {NODES} nodes"
+NO_NODE = f"asked for node {NODES}; the hierarchy has {NODES} nodes"
+# What each strategy says of the fault in its name.
 FAULTS = {
-    "faulty.throw": "frame 3: no idea at all",
-    "faulty.odd": "frame 3: an exception that is no std::exception",
-    "faulty.node": NO_NODE,
-    "faulty.far": f"frame 3: asked for node 4294967295; the hierarchy has {NODES} nodes",
-    "faulty.throwmade": "cannot be made",
-    "whole.twice": "frame 3: drew node 0 twice",
-    "whole.caught": "frame 3: drew node 0 twice",
-    "whole.unknown": f"frame 3: asked to draw node 12345678; the hierarchy has {NODES} nodes",
-    "whole.unqueried": "frame 3: asked for the result of node 1, which was not queried",
-    "whole.requery": "frame 3: queried node 1 twice",
+    "faulty-throw": "frame 3: no idea at all",
+    "faulty-odd": "frame 3: an exception that is no std::exception",
+    "faulty-node": f"frame 3: {NO_NODE}",
+    "faulty-far": f"frame 3: asked for node 4294967295; the hierarchy has {NODES} nodes",
+    "faulty-throwmade": "cannot be made",
+    "whole-twice": "frame 3: drew node 0 twice",
+    "whole-caught": "frame 3: drew node 0 twice",
+    "whole-unknown": f"frame 3: asked to draw node 12345678; the hierarchy has {NODES} nodes",
+    "whole-unqueried": "frame 3: asked for the result of node 1, which was not queried",
+    "whole-requery": "frame 3: queried node 1 twice",
 }
 # These end the process.
 LOSSES = {
-    "faulty.loop": "frame 3 did not end within 1 s",
-    "whole.poll": "frame 3 did not end within 1 s",
-    "faulty.crash": "ended by signal SIGSEGV in frame 3",
-    "faulty.exit": "ended the program by exit(0) in frame 3",
-    "faulty.make": "ended by signal SIGABRT while the strategy was made",
-    "faulty.remove": "ended by signal SIGSEGV while the strategy was removed",
+    "faulty-loop": "frame 3 did not end within 1 s",
+    "whole-poll": "frame 3 did not end within 1 s",
+    "faulty-crash": "ended by signal SIGSEGV in frame 3",
+    "faulty-exit": "ended the program by exit(0) in frame 3",
+    "faulty-make": "ended by signal SIGABRT while the strategy was made",
+    "faulty-remove": "ended by signal SIGSEGV while the strategy was removed",
 }
 
 
-@pytest.mark.parametrize("fault", [*FAULTS, *LOSSES])
-def test_a_fault_costs_its_own_row(world, good, fault):
-    strategy, kind = fault.split(".")
-    trace = world.folder / f"{fault}.jsonl"
+@pytest.mark.parametrize("errors", [FAULTS, LOSSES], ids=["errors", "losses"])
+def test_faults_cost_their_own_rows(world, good, errors):
+    settings = [word for name in errors
+                for word in ("--set", f"{name}.fault={name.partition('-')[2]}")]
+    name = "faults" if errors is FAULTS else "losses"
+    # the traces are each in its own file
+    trace = world.folder / f"{name}.jsonl"
+    # where the good ones stand among the bad ones is drawn from the seed
     result, out, cases = world.run(
-        fault, f"bool,{strategy},sw-b", "--set", f"{strategy}.fault={kind}", "--trace", trace)
-    error = {**FAULTS, **LOSSES}[fault]
+        name, ",".join(["bool", *errors, "sw-b"]), *settings, "--trace", trace, "--seed", "5")
     assert result.returncode == 1
-    # one line, which names the strategy, and no other
+    # one line each, and no other
     said = [line for line in result.stderr.splitlines() if line.startswith("hlodbench:")]
-    assert said == [f"hlodbench: {strategy} repetition 0 failed: {error}"]
-    assert cases[strategy, 0]["error"] == error and cases[strategy, 0]["csv"] is None
+    order = [strategy for strategy, _ in cases if strategy in errors]
+    assert said == [f"hlodbench: {s} repetition 0 failed: {errors[s]}" for s in order]
+    assert sorted(order) == sorted(errors)
+    for strategy, error in errors.items():
+        assert cases[strategy, 0]["error"] == error and cases[strategy, 0]["csv"] is None
     for other in ("bool", "sw-b"):
         assert cases[other, 0]["error"] is None
         assert read_counts(out / f"{other}.0.csv") == read_counts(good / f"{other}.0.csv")
     # the pictures of the others are there, and nothing else is left
-    pictures = [n.name for n in (good / "images").iterdir() if n.name.split(".")[0] in
-                ("bool", "sw-b", "full")]
+    pictures = [p.name for p in (good / "images").iterdir()
+                if p.name.split(".")[0] in ("bool", "sw-b", "full")]
+    assert len(pictures) == 6
     assert everything(out) == sorted(
         ["bool.0.csv", "images", "images/images.json", *(f"images/{n}" for n in pictures),
          "run.json", "sw-b.0.csv"])
-    for name in pictures:
-        assert (out / "images" / name).read_bytes() == (good / "images" / name).read_bytes()
-    made = {p.name for p in world.folder.glob(f"{fault}.*jsonl")}
-    assert made == {f"{fault}.bool.jsonl", f"{fault}.sw-b.jsonl"}
+    for picture in pictures:
+        assert (out / "images" / picture).read_bytes() == (good / "images" / picture).read_bytes()
+    made = {p.name for p in world.folder.glob(f"{name}.*.jsonl")}
+    assert made == {f"{name}.bool.jsonl", f"{name}.sw-b.jsonl"}
 
 
 def test_a_lost_replay_loses_the_later_ones_too(world):
@@ -205,7 +214,7 @@ def test_a_lost_replay_loses_the_later_ones_too(world):
     assert len(cases) == 9
     assert read_run(out)["complete"]
     assert [cases["bool", i]["error"] for i in range(3)] == [None] * 3
-    for strategy, error in (("faulty", LOSSES["faulty.crash"]), ("whole", LOSSES["whole.poll"])):
+    for strategy, error in (("faulty", LOSSES["faulty-crash"]), ("whole", LOSSES["whole-poll"])):
         assert cases[strategy, 0]["error"] == error
         for i in (1, 2):
             assert cases[strategy, i]["error"] == f"not replayed after repetition 0: {error}"
@@ -213,71 +222,113 @@ def test_a_lost_replay_loses_the_later_ones_too(world):
     assert orders == list(range(9)) and len({read_run(out)["context"]["time_utc"]}) == 1
 
 
+class Started:
+    """A run that goes on, and its worker."""
+
+    def __init__(self, world, out, *options, timeout="1"):
+        self.out = out
+        command = world.arguments(out, "bool,faulty", *options, timeout=timeout)
+        self.process = subprocess.Popen([os.environ["HLODBENCH_EXE"], *map(str, command)],
+                                        stderr=subprocess.PIPE, text=True)
+        children = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children")
+        self.wait_for(lambda: (out / "run.json").exists())
+        self.worker = pathlib.Path("/proc") / children.read_text().split()[0]
+
+    def wait_for(self, condition):
+        deadline = time.monotonic() + 60
+        while not condition():
+            assert time.monotonic() < deadline and self.process.poll() is None
+            time.sleep(0.02)
+
+    def end(self):
+        """The exit code and what was said."""
+        try:
+            error = self.process.communicate(timeout=60)[1]
+        finally:
+            self.process.kill()
+        assert not self.worker.exists(), "the worker outlives its supervisor"
+        assert not list(self.out.rglob("*.tmp"))
+        return self.process.returncode, error
+
+
+# The order of the strategies that this seed draws: bool comes first.
+BOOL_FIRST = ("--seed", "2")
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_an_interruption_reaches_the_run(world, number):
     out = world.folder / f"interrupted {number}"
-    # the last frame never ends, so that the run is met in the second strategy
-    command = world.arguments(out, "faulty", "--set", "faulty.fault=loop", "--frame-timeout", "60")
-    process = subprocess.Popen(
-        [os.environ["HLODBENCH_EXE"], *map(str, command)], stderr=subprocess.PIPE, text=True)
-    try:
-        deadline = time.monotonic() + 30
-        children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children")
-        worker = None
-        while time.monotonic() < deadline and not worker:
-            time.sleep(0.05)
-            found = children.read_text().split()
-            if found and out.exists():
-                worker = found[0]
-        assert worker
-        time.sleep(0.5)
-        process.send_signal(number)
-        time.sleep(0.3)
-        process.send_signal(number)  # at once
-        process.communicate(timeout=20)
-    finally:
-        process.kill()
-    assert process.returncode == -number
-    assert not pathlib.Path(f"/proc/{worker}").exists(), "the worker outlives its supervisor"
-    assert not list(out.rglob("*.tmp"))
+    run = Started(world, out, "--repetitions", "2000", "--images", "none")
+    run.process.send_signal(number)
+    code, error = run.end()
+    assert code == 1 and "hlodbench: interrupted; " in error
+    result = read_run(out)
+    assert not result["complete"] and result["missing"] and result["cases"]
+
+
+def test_an_interruption_of_a_frame_that_never_ends(world):
+    hanging = ("--set", "faulty.fault=loop", "--set", "faulty.frame=0", *BOOL_FIRST)
+    out = world.folder / "hanging"
+    run = Started(world, out, *hanging)
+    run.process.send_signal(signal.SIGINT)
+    code, error = run.end()
+    assert code == 1
+    assert "hlodbench: interrupted; frame 0 did not end within 1 s\n" in error
+    assert [c["strategy"] for c in read_run(out)["cases"]] == ["bool"]
+    run = Started(world, world.folder / "hanging on", *hanging, timeout="0")
+    time.sleep(0.3)
+    run.process.send_signal(signal.SIGTERM)
+    time.sleep(0.3)
+    run.process.send_signal(signal.SIGTERM)  # the second one ends it at once
+    assert run.end()[0] == -signal.SIGTERM
+
+
+def test_a_worker_does_not_outlive_a_killed_supervisor(world):
+    run = Started(world, world.folder / "killed", "--repetitions", "2000", "--images", "none")
+    run.process.kill()
+    run.process.communicate()
+    deadline = time.monotonic() + 20
+    while run.worker.exists() and time.monotonic() < deadline:
+        time.sleep(0.02)
+    assert not run.worker.exists()
 
 
 # What is refused up front
 
 
-def refuse(world, *words, plugins=(), options=()):
+def refuse(world, *words, plugins=(), options=(), env=None):
     out = world.folder / "refused"
     command = ["run", "--scene", world.hlod, "--session", world.session, "--out", out]
     for plugin in plugins:
         command += ["--plugin", plugin]
-    result = world.hlodbench(*command, *options)
+    result = world.hlodbench(*command, *options, env=env)
     complain(result, BAD_INPUT, *words)
     assert not out.exists()
     return result
 
 
 CHANGES = {
-    "descriptor.apiMajor = 2": ("version 1.0 to 1.0", "found 2.0"),
-    "descriptor.apiMinor = 1": ("version 1.0 to 1.0", "found 1.1"),
-    'descriptor.abi = "another library"': ("built with libstdc++", "found another library"),
-    "descriptor.magic[0] = 'X'": ("a plug-in of hlodbench",),
-    "descriptor.nodeBytes += 8": ("structs laid out as here",),
-    "descriptor.viewBytes += 8": ("structs laid out as here",),
-    "descriptor.list.count = 0": ("at least one strategy",),
-    'strategies[0].name = "My own"': ("strategy's name", "'My own'"),
-    "strategies[0].name = nullptr": ("strategy's name",),
-    'strategies[1].name = "mine"': ("new names", "'mine' again"),
-    'strategies[1].name = "coh-b"': ("new names", "'coh-b' again"),
-    'strategies[1].label = "two\\nlines"': ("'yours'", "label"),
-    "strategies[1].makePredictor = nullptr": ("'yours'", "a predictor or a strategy"),
-    "strategies[1].optionCount = 1": ("'yours'", "options"),
+    "major": ("version 1.0 to 1.0", "found 2.0"),
+    "minor": ("version 1.0 to 1.0", "found 1.1"),
+    "library": ("built with libstdc++", "found another library"),
+    "layout": ("structs laid out as here",),
+    "none": ("at least one strategy",),
+    "name": ("strategy's name", "'My own'"),
+    "twice": ("new names", "'mine' again"),
+    "taken": ("new names", "'coh-b' again"),
+    "label": ("'yours'", "label"),
+    "nothing": ("'yours'", "a predictor or a strategy"),
 }
 
 
-@pytest.mark.parametrize("change", CHANGES)
-def test_a_wrong_description_is_refused(world, tmp_path, change):
-    plugin = compile_plugin(tmp_path, "changed", CHANGED.replace("CHANGE", change))
-    refuse(world, f"--plugin {plugin}:", *CHANGES[change], plugins=[plugin])
+def test_a_wrong_description_is_refused(world, tmp_path):
+    plugin = compile_plugin(tmp_path, "changed", CHANGED)
+    listed = world.hlodbench("list", "--plugin", plugin)
+    assert listed.returncode == 0 and "  yours " in listed.stdout
+    for change, words in CHANGES.items():
+        listed = world.hlodbench("list", "--plugin", plugin, env={"CHANGE": change})
+        complain(listed, BAD_INPUT, f"--plugin {plugin}:", *words)
+    refuse(world, *CHANGES["major"], plugins=[plugin], env={"CHANGE": "major"})
 
 
 def test_what_is_no_plugin_is_refused(world, tmp_path):
