@@ -159,13 +159,9 @@ extern "C" const PluginDescriptor* hlodbench_plugin() {
   if (change == "major") descriptor.apiMajor = 2;
   if (change == "minor") descriptor.apiMinor = 1;
   if (change == "library") descriptor.abi = "another library";
-  if (change == "layout") descriptor.nodeBytes += 8;
-  if (change == "none") descriptor.list.count = 0;
   if (change == "name") strategies[0].name = "My own";
-  if (change == "twice") strategies[1].name = "mine";
   if (change == "taken") strategies[1].name = "coh-b";
   if (change == "label") strategies[1].label = "two\nlines";
-  if (change == "nothing") strategies[1].makePredictor = nullptr;
   return &descriptor;
 }
 """

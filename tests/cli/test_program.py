@@ -91,10 +91,13 @@ HELP = {
         "--overlay": ["bias, level, node, rarn"],
         "--cache": ["folder"],
         "--max-triangles": ["triangles", "[2000]"],
+        "--plugin": ["shared library", "repeated"],
+        "--set": ["STRATEGY.OPTION=VALUE"],
+        "--frame-timeout": ["seconds", "[30]"],
     },
     "table": {"dir": ["folders"], "--format": ["markdown", "latex", "csv", "[markdown]"]},
     "bias": {"--s": ["0 to 1"], "--t": ["0 to 1"], "--exponent": ["1 to 100"], "--samples": ["[101]"]},
-    "list": {},
+    "list": {"--plugin": ["shared library"]},
 }
 
 
