@@ -8,9 +8,11 @@
 #include "hlod/core/error.h"
 #include "number_range.h"
 #include "overlay.h"
+#include "plugin_option.h"
 #include "readings.h"
 #include "run.h"
-#include "traversals/registry.h"
+#include "strategy_settings.h"
+#include "traversals/plugin_library.h"
 
 namespace hlodbench {
 namespace {
@@ -119,6 +121,12 @@ void addMemoryOption(CLI::App& sub, RunOptions& o) {
       ->default_str("unlimited");
 }
 
+std::string describeStrategyOptions(const std::vector<std::filesystem::path>& plugins) {
+  std::string text;
+  for (const StrategyInfo& info : listStrategies(plugins)) text += describeOptions(info);
+  return "Options of single strategies (--set):\n" + (text.empty() ? "    none\n" : text);
+}
+
 }  // namespace
 
 void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
@@ -134,6 +142,16 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
                   "strategies, see `hlodbench list`; comma-separated, or all")
       ->delimiter(',')
       ->capture_default_str();
+  sub->add_option("--set", o->settings,
+                  "STRATEGY.OPTION=VALUE: an option of one strategy, see below; may be repeated")
+      ->allow_extra_args(false);
+  addPluginOption(*sub, o->plugins);
+  sub->add_option("--frame-timeout", o->frameTimeout,
+                  "with --plugin: seconds that a frame may take, 0 for any time; a strategy that "
+                  "takes longer fails, and the run goes on")
+      ->capture_default_str()
+      ->check(makeNumberRange(0.0, 86400.0));
+  sub->footer([o] { return describeStrategyOptions(o->plugins); });
   addMemoryOption(*sub, *o);
   sub->add_option("--context", o->context, "auto, egl or osmesa")->capture_default_str();
   sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");
@@ -163,7 +181,17 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
       if (sub->count("--tau") == 0) o->traversal.tau = kBestTau;
       if (sub->count("--faces") == 0) o->faces = FaceCulling::kBackWhereConsistent;
     }
-    if (!run(*o, arguments)) throw CLI::RuntimeError(static_cast<int>(ExitCode::kCheckFailed));
+    Heartbeat alone;
+    Watch watch{&alone};
+    // plug-ins may crash
+    if (!o->plugins.empty())
+      if (const auto code = supervise(watch, arguments, makeSupervisorOptions(*o)))
+        throw CLI::RuntimeError(*code);
+    const Leaving leaving(*watch.heartbeat);
+    const bool succeeded = run(*o, arguments, watch);
+    const ExitCode code = succeeded ? ExitCode::kOk : ExitCode::kCheckFailed;
+    watch.heartbeat->exitCode = static_cast<int>(code);
+    if (!succeeded) throw CLI::RuntimeError(static_cast<int>(code));
   });
 }
 

@@ -8,7 +8,7 @@ namespace hlodbench {
 
 // One function a sub-command: adds it with its options to the program. What it does throws
 // InputError and GlUnavailable; main() turns them into exit codes. `arguments` is the command line.
-void addListCommand(CLI::App& app);
+void addListCommand(CLI::App& app, const std::vector<std::string>& arguments);
 void addBuildCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments);

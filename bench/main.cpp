@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 ok, 1 a check or comparison failed, 2 wrong usage or input, 3 no usable GL.");
-  addListCommand(app);
+  addListCommand(app, arguments);
   addBuildCommand(app);
   addInfoCommand(app);
   addRunCommand(app, arguments);

@@ -16,14 +16,16 @@
 #include "metrics/frame_csv.h"
 #include "metrics/result_json.h"
 #include "metrics/text_file.h"
+#include "noted_fronts.h"
 #include "overlay.h"
 #include "picture_pass.h"
 #include "progress_line.h"
 #include "record_fronts.h"
 #include "result_folder.h"
 #include "run_options_json.h"
+#include "strategy_settings.h"
 #include "trace_file.h"
-#include "traversals/registry.h"
+#include "traversals/plugin_library.h"
 
 namespace hlodbench {
 namespace {
@@ -33,6 +35,8 @@ constexpr bool kDebugBuild = false;
 #else
 constexpr bool kDebugBuild = true;
 #endif
+
+constexpr const char* kNotedFronts = "fronts.tmp";  // only while a run goes on
 
 constexpr int kMaxViewport = 16384;  // what OpenGL implementations commonly allow
 
@@ -59,13 +63,30 @@ std::filesystem::path nameTrace(const RunOptions& options, const std::string& st
          (options.trace.stem().string() + "." + strategy + options.trace.extension().string());
 }
 
-void checkOptions(const RunOptions& options, const Session& session) {
+std::vector<StrategyInfo> loadStrategies(const RunOptions& options, const Watch& watch) {
+  const auto onLoad = [&](int plugin) {
+    watch.heartbeat->enter(Heartbeat::Stage::kLoading, plugin);
+  };
+  std::vector<StrategyInfo> all = listStrategies(options.plugins, onLoad);
+  watch.heartbeat->enter(Heartbeat::Stage::kOther);
+  return all;
+}
+
+std::vector<const StrategyInfo*> findAll(const std::vector<std::string>& names,
+                                         const std::vector<StrategyInfo>& strategies) {
+  std::vector<const StrategyInfo*> found;
+  for (const std::string& name : names) found.push_back(&findStrategy(name, strategies));
+  return found;
+}
+
+// isContinued: an earlier process checked the files, and has written some.
+void checkOptions(const RunOptions& options, const Session& session, bool isContinued) {
   if (options.strategies.empty()) throw InputError("--strategy: expected at least one, found none");
   for (const std::string& strategy : options.strategies) {
-    findStrategy(strategy);
     if (std::count(options.strategies.begin(), options.strategies.end(), strategy) > 1)
       throw InputError(fmt::format("--strategy: expected each once, found '{}' twice", strategy));
-    if (!options.trace.empty() && std::filesystem::exists(nameTrace(options, strategy)))
+    if (!options.trace.empty() && !isContinued &&
+        std::filesystem::exists(nameTrace(options, strategy)))
       throw InputError(fmt::format("--trace {}: expected a new file, found one that exists",
                                    nameTrace(options, strategy).string()));
   }
@@ -89,18 +110,22 @@ void announce(const GlContext& context) {
 // One run: what all its replays share.
 class Runner {
  public:
-  Runner(const RunOptions& options, const std::vector<std::string>& arguments)
-      : options_(options), latency_(parseLatency(options.latency)) {
+  Runner(const RunOptions& options, const std::vector<std::string>& arguments, const Watch& watch)
+      : options_(options),
+        watch_(watch),
+        strategies_(loadStrategies(options, watch)),
+        settings_(findAll(options.strategies, strategies_), options.settings),
+        latency_(parseLatency(options.latency)) {
     session_ = readSession(options.session);
     applySize(options.size, session_.lens);
-    checkOptions(options, session_);
+    checkOptions(options, session_, watch.isContinued);
     imageFrames_ = selectFrames(options.images, static_cast<int>(session_.poses.size()),
                                 options.replay.warmUpFrames, options.seed);
     explainFrames_ = selectFrames(options.explain, static_cast<int>(session_.poses.size()),
                                   options.replay.warmUpFrames, options.seed, "--explain");
     // what may be wrong is found out before the scene is built, which may take minutes
     context_ = createContext(options.context, {options.glDebug || kDebugBuild});
-    const bool isNewFolder = makeResultFolder(options.out);
+    const bool isNewFolder = !watch.isContinued && makeResultFolder(options.out);
     try {
       load();
     } catch (...) {
@@ -109,7 +134,10 @@ class Runner {
       throw;
     }
     plan_ = planCases(options.strategies, options.repetitions, options.seed);
-    describe(arguments);
+    if (watch.isContinued && std::filesystem::exists(options.out / kResultFileName))
+      resume();
+    else
+      describe(arguments);
   }
 
   bool runAll() {
@@ -118,7 +146,12 @@ class Runner {
     {
       ProgressLine line(fmt::format("replaying {}", session_.name));
       for (std::size_t i = 0; i < plan_.size() && !isInterrupted(); ++i) {
-        runCase(plan_[i], static_cast<int>(i), line);
+        const int order = static_cast<int>(i);
+        if (isDone(plan_[i])) continue;
+        if (const LostCase* lost = findLost(plan_[i].strategy))
+          recordLost(plan_[i], order, *lost);
+        else
+          runCase(plan_[i], order, line);
         // after each case: whatever happens next, what is complete stays
         finishRun(result_, plan_);
         writeRunResult(options_.out, result_);
@@ -188,7 +221,7 @@ class Runner {
     result_.session = {session_.name,
                        fmt::format("{:016x}", hashText(readTextFile(options_.session))),
                        static_cast<int>(session_.poses.size())};
-    result_.options = toJson(options_, session_.lens);
+    result_.options = toJson(options_, settings_, session_.lens);
     result_.framesInFlight = options_.replay.framesInFlight;
     result_.warmUpFrames = options_.replay.warmUpFrames;
     result_.repetitions = options_.repetitions;
@@ -197,8 +230,9 @@ class Runner {
   [[nodiscard]] bool needsRecording() const {
     const auto& names = options_.strategies;
     return !explainFrames_.empty() ||
-           std::any_of(names.begin(), names.end(),
-                       [](const std::string& name) { return findStrategy(name).needsRecording; });
+           std::any_of(names.begin(), names.end(), [this](const std::string& name) {
+             return findStrategy(name, strategies_).needsRecording;
+           });
   }
 
   // Before anything is timed.
@@ -211,8 +245,36 @@ class Runner {
     writeRunResult(options_.out, result_);
   }
 
+  // Goes on from what an earlier process has written.
+  void resume() {
+    result_ = readRunResult(options_.out);
+    if (const auto file = options_.out / kNotedFronts; std::filesystem::exists(file))
+      fronts_ = readNotedFronts(file);
+  }
+
+  [[nodiscard]] bool isDone(const CaseKey& key) const {
+    return std::any_of(result_.cases.begin(), result_.cases.end(),
+                       [&](const CaseResult& c) { return c.key == key; });
+  }
+
+  [[nodiscard]] const LostCase* findLost(const std::string& strategy) const {
+    const auto lost = std::find_if(watch_.lost.begin(), watch_.lost.end(), [&](const LostCase& c) {
+      return plan_[c.index].strategy == strategy;
+    });
+    return lost == watch_.lost.end() ? nullptr : &*lost;
+  }
+
+  void recordLost(const CaseKey& key, int order, const LostCase& lost) {
+    const StrategyInfo& info = findStrategy(key.strategy, strategies_);
+    const std::string error = order == lost.index
+                                  ? lost.error
+                                  : fmt::format("not replayed after repetition {}: {}",
+                                                plan_[lost.index].repetition, lost.error);
+    result_.cases.push_back({key, std::string(info.label), order, "", error, std::nullopt});
+  }
+
   void runCase(const CaseKey& key, int order, ProgressLine& line) {
-    const StrategyInfo& info = findStrategy(key.strategy);
+    const StrategyInfo& info = findStrategy(key.strategy, strategies_);
     CaseResult result{key, std::string(info.label), order, "", std::nullopt, std::nullopt};
     try {
       const std::vector<FrameRecord> records = replay(info, key.repetition, order, line);
@@ -224,17 +286,32 @@ class Runner {
       throw;  // a full disk or the like: nothing after it can succeed
     } catch (const std::exception& error) {
       result.csv.clear();
-      result.error = error.what();
+      result.error = describeError(error.what());
+    } catch (...) {
+      result.csv.clear();
+      result.error = describeError("an exception that is no std::exception");
     }
+    watch_.heartbeat->enter(Heartbeat::Stage::kOther);
     result_.cases.push_back(std::move(result));
+  }
+
+  // What went wrong in the replay that is running, in one line, with its frame.
+  [[nodiscard]] std::string describeError(std::string what) const {
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    const int frame = watch_.heartbeat->frame;
+    return frame < 0 ? what : fmt::format("frame {}: {}", frame, what);
   }
 
   std::vector<FrameRecord> replay(const StrategyInfo& info, int repetition, int order,
                                   ProgressLine& line) {
-    const auto strategy = info.make({stored_.hierarchy, options_.traversal, &recording_});
+    watch_.heartbeat->enter(Heartbeat::Stage::kReplay, order);
+    auto strategy =
+        info.make({stored_.hierarchy, options_.traversal, &recording_, settings_.of(info.name)});
+    watch_.heartbeat->frame = 0;
     ReplayHooks hooks;
     hooks.isInterrupted = isInterrupted;
     hooks.onFrame = [&](int frame) {
+      watch_.heartbeat->frame = frame + 1;
       const double done = order + static_cast<double>(frame + 1) / session_.poses.size();
       line.update(
           fmt::format("{}, repetition {} of {}", info.label, repetition + 1, options_.repetitions),
@@ -259,8 +336,15 @@ class Runner {
     }
     std::vector<FrameRecord> records =
         replaySession(session_, *strategy, *renderer_, *queries_, options_.replay, hooks);
+    watch_.heartbeat->frame = Heartbeat::kRemoving;
+    strategy.reset();
+    watch_.heartbeat->enter(Heartbeat::Stage::kOther);
     if (tracing && !isInterrupted()) writeTrace(std::string(info.name), traced);
-    if (!fronts.fronts.empty()) fronts_.push_back(std::move(fronts));
+    if (!fronts.fronts.empty()) {
+      fronts_.push_back(std::move(fronts));
+      // for the case that a plug-in ends this process before the pictures are drawn
+      if (!options_.plugins.empty()) writeNotedFronts(options_.out / kNotedFronts, fronts_);
+    }
     if (!decisions.empty() && !isInterrupted())
       explained_.push_back({std::string(info.name), std::move(decisions), records});
     return records;
@@ -329,6 +413,9 @@ class Runner {
   }
 
   const RunOptions& options_;
+  const Watch& watch_;
+  std::vector<StrategyInfo> strategies_;  // those of the tree and of the plug-ins
+  StrategySettings settings_;
   Latency latency_;
   Session session_;
   StoredHierarchy stored_;
@@ -347,8 +434,16 @@ class Runner {
 
 }  // namespace
 
-bool run(const RunOptions& options, const std::vector<std::string>& arguments) {
-  return Runner(options, arguments).runAll();
+bool run(const RunOptions& options, const std::vector<std::string>& arguments, const Watch& watch) {
+  return Runner(options, arguments, watch).runAll();
+}
+
+SupervisorOptions makeSupervisorOptions(const RunOptions& options) {
+  const std::filesystem::path traces = options.trace.parent_path();
+  return {options.frameTimeout,
+          options.plugins,
+          {options.out, options.out / kImageFolder, traces.empty() ? "." : traces},
+          {options.out / kNotedFronts}};
 }
 
 }  // namespace hlodbench

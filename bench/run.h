@@ -12,6 +12,7 @@
 #include "picture_pass.h"
 #include "preset.h"
 #include "replay.h"
+#include "supervisor.h"
 #include "traversals/options.h"
 
 namespace hlodbench {
@@ -29,6 +30,9 @@ struct RunOptions {
   FaceCulling faces = FaceCulling::kNone;
   TraversalOptions traversal;
   QueryFaces queryFaces = QueryFaces::kFront;
+  std::vector<std::string> settings;           // STRATEGY.OPTION=VALUE, see StrategySettings
+  std::vector<std::filesystem::path> plugins;  // shared libraries with more strategies
+  double frameTimeout = 30.0;                  // seconds, with plug-ins; see SupervisorOptions
   std::string latency = "gl";
   std::filesystem::path trace;
   std::uint64_t seed =
@@ -44,7 +48,11 @@ struct RunOptions {
 // Replays the session with every strategy, `repetitions` times, in random order within each
 // repetition, and writes the result folder; see docs/results.md for what is in it. What is finished
 // is written at once, so that an interrupted run leaves it. Returns false when a case failed or the
-// run was interrupted. Throws InputError and GlUnavailable.
-bool run(const RunOptions& options, const std::vector<std::string>& arguments);
+// run was interrupted. Throws InputError and GlUnavailable. `watch` is told where the run is, and
+// says what an earlier process did of it.
+bool run(const RunOptions& options, const std::vector<std::string>& arguments, const Watch& watch);
+
+// What a supervisor of the run has to know.
+SupervisorOptions makeSupervisorOptions(const RunOptions& options);
 
 }  // namespace hlodbench

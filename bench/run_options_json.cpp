@@ -1,10 +1,29 @@
 #include "run_options_json.h"
 
+#include <fmt/format.h>
+
+#include "hlod/tree/hasher.h"
+#include "metrics/text_file.h"
 #include "readings.h"
 
 namespace hlodbench {
+namespace {
 
-nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
+nlohmann::json describePlugins(const std::vector<std::filesystem::path>& plugins) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const std::filesystem::path& file : plugins) {
+    const std::string content = readTextFile(file);
+    json.push_back(
+        {{"file", file.string()},
+         {"hash", fmt::format("{:016x}", computeHash(std::as_bytes(std::span(content))))}});
+  }
+  return json;
+}
+
+}  // namespace
+
+nlohmann::json toJson(const RunOptions& options, const StrategySettings& settings,
+                      const Lens& lens) {
   const TraversalOptions& t = options.traversal;
   nlohmann::json json = {
       {"strategies", options.strategies},
@@ -19,6 +38,8 @@ nlohmann::json toJson(const RunOptions& options, const Lens& lens) {
       {"stale_children", t.staleChildren == StaleChildren::kSkip ? "skip" : "literal"},
       {"zero_pixels", t.zeroPixels == ZeroPixels::kZeroBias ? "zero" : "literal"},
       {"simp", t.simpEstimate == SimpEstimate::kLastProcessed ? "last" : "mean"},
+      {"strategy_options", settings.toJson()},
+      {"plugins", describePlugins(options.plugins)},
       {"latency", options.latency},
       {"seed", options.seed},
       {"gpu_memory", options.gpuMemory == kUnlimitedMemory ? nlohmann::json()

@@ -14,11 +14,10 @@ namespace {
 
 class BoolPredictor final : public Predictor {
  public:
-  Prediction predict(NodeId node, const PredictionContext& context) override {
-    if (!context.wasVisible(node)) return Prediction::kDelay;
+  Prediction predict(NodeId node, const FrameView& view) override {
+    if (!view.wasVisible(node)) return Prediction::kDelay;
     // the refinement condition needs no result: it is known now
-    return context.computeSse(node) <= context.options.tau ? Prediction::kStop
-                                                           : Prediction::kRefine;
+    return view.computeSse(node) <= view.tau() ? Prediction::kStop : Prediction::kRefine;
   }
 };
 

@@ -12,24 +12,27 @@ namespace {
 // Fig. 3, PredictRefinement(node); the comments quote it line by line.
 class CohPredictor final : public Predictor {
  public:
-  Prediction predict(NodeId id, const PredictionContext& context) override {
-    const NodeState& node = context.states[id];
-    const double tau = context.options.tau;
+  explicit CohPredictor(const TraversalOptions& options)
+      : staleChildren_(options.staleChildren), pullUp_(options.pullUp) {}
+
+  Prediction predict(NodeId id, const FrameView& view) override {
+    const NodeState& node = view.state(id);
+    const double tau = view.tau();
     // if not (node.lastVisited = frameID-1) or node.visible = false then return Delay
-    if (!context.wasVisible(id)) return Prediction::kDelay;
+    if (!view.wasVisible(id)) return Prediction::kDelay;
     // if not node.stopRefinement then
     if (!node.stopRefinement) {
-      const Children children = lookAtChildren(id, context);
-      if (children.oneGoesOn && context.options.pullUp == PullUp::kDelay) return Prediction::kDelay;
+      const Children children = lookAtChildren(id, view);
+      if (children.oneGoesOn && pullUp_ == PullUp::kDelay) return Prediction::kDelay;
       // if candidateToShiftUp then if AvgBias(node.children)*CalcSSE(node) <= tau return Delay
-      if (children.averageBias && *children.averageBias * context.computeSse(id) <= tau)
+      if (children.averageBias && *children.averageBias * view.computeSse(id) <= tau)
         return Prediction::kDelay;
-    } else if (node.bias * context.computeSse(id) <= tau) {
+    } else if (node.bias * view.computeSse(id) <= tau) {
       // else if node.bias*CalcSSE(node) <= tau then return Stop
       return Prediction::kStop;
     }
-    // return Refine; a leaf comes here only while its error is not 0, and has nothing to refine to
-    return context.hierarchy.node(id).isLeaf() ? Prediction::kStop : Prediction::kRefine;
+    // return Refine
+    return Prediction::kRefine;
   }
 
  private:
@@ -41,22 +44,19 @@ class CohPredictor final : public Predictor {
     std::optional<double> averageBias;
   };
 
-  static Children lookAtChildren(NodeId id, const PredictionContext& context) {
-    const Node& node = context.hierarchy.node(id);
+  [[nodiscard]] Children lookAtChildren(NodeId id, const FrameView& view) const {
+    const plugin::Node& node = view.node(id);
     double sum = 0.0;
     int count = 0;
     // forall child in node.children do
     for (NodeId c = node.firstChild; c < node.firstChild + node.childCount; ++c) {
-      const NodeState& child = context.states[c];
+      const NodeState& child = view.state(c);
       // deviation: Fig. 3 also asks children that were outside the frustum and so keep the values
       // of some earlier frame; see docs/deviations.md
-      if (context.options.staleChildren == StaleChildren::kSkip &&
-          child.lastVisited != context.frame - 1)
-        continue;
+      if (staleChildren_ == StaleChildren::kSkip && child.lastVisited != view.frame() - 1) continue;
       // if not child.stopRefinement or not (child.bias*CalcSSE(child) <= tau)
       //   candidateToShiftUp <- false
-      if (!child.stopRefinement || child.bias * context.computeSse(c) > context.options.tau)
-        return {true, {}};
+      if (!child.stopRefinement || child.bias * view.computeSse(c) > view.tau()) return {true, {}};
       sum += child.bias;
       ++count;
     }
@@ -64,13 +64,16 @@ class CohPredictor final : public Predictor {
     if (count == 0) return {};
     return {false, sum / count};
   }
+
+  StaleChildren staleChildren_;
+  PullUp pullUp_;
 };
 
 }  // namespace
 
 std::unique_ptr<Strategy> makeCohStrategy(const StrategyInputs& inputs) {
   return std::make_unique<CoherentTraversal>(inputs.hierarchy, inputs.options, Modulation::kBias,
-                                             std::make_unique<CohPredictor>());
+                                             std::make_unique<CohPredictor>(inputs.options));
 }
 
 }  // namespace hlodbench

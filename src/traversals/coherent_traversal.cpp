@@ -10,7 +10,7 @@ CoherentTraversal::CoherentTraversal(const Hierarchy& hierarchy, const Traversal
     : HierarchyTraversal(hierarchy, options, modulation), predictor_(std::move(predictor)) {}
 
 void CoherentTraversal::doFrame() {
-  predictor_->beginFrame(context());
+  predictor_->beginFrame(view());
   push(kRoot);
   while (!isQueueEmpty() || !queryQueue_.empty()) {
     // part 1: results that are there; with no node left to go on with, wait for the next one
@@ -26,15 +26,19 @@ void CoherentTraversal::doFrame() {
 }
 
 void CoherentTraversal::finish(NodeId node) {
-  if (!finishQuery(node)) return;  // culled, or drawn in vain on a wrong Stop
-  predictor_->onVisible(node, state(node).bias);
-  traverse(node);  // a RARN if the node was drawn on a Stop and has to be refined after all
+  const bool isVisible = finishQuery(node);
+  predictor_->onResult(node, view());
+  if (!isVisible) return;  // culled, or drawn in vain on a wrong Stop
+  traverse(node);          // a RARN if the node was drawn on a Stop and has to be refined after all
 }
 
 void CoherentTraversal::visit(NodeId node) {
   if (!isInsideViewFrustum(node)) return;
   // before the node's visible and lastVisited of the last frame are overwritten
-  const Prediction prediction = predictor_->predict(node, context());
+  Prediction prediction = predictor_->predict(node, view());
+  // a leaf has nothing to refine into
+  if (prediction == Prediction::kRefine && view().node(node).isLeaf())
+    prediction = Prediction::kStop;
   beginVisit(node, prediction);
   if (prediction == Prediction::kRefine) {
     traverse(node);

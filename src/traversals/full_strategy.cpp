@@ -11,7 +11,7 @@ class LeafTraversal final : public UnqueriedTraversal {
 
  private:
   [[nodiscard]] bool stopsAt(NodeId node) const override {
-    return context().hierarchy.node(node).isLeaf();
+    return view().node(node).isLeaf();
   }
 };
 

@@ -1,20 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
 
-#include "hlod/view/frustum.h"
-#include "traversals/prediction_context.h"
+#include "traversals/predictor.h"
+#include "traversals/scene_view.h"
 #include "traversals/strategy.h"
 
 namespace hlodbench {
-
-// How occlusion enters the refinement condition.
-enum class Modulation {
-  kNone,  // SSE alone: queries are as if their result were boolean
-  kBias   // VMSSE = B(mu) * SSE (paper, Eq. 1)
-};
 
 // What every traversal of the HLOD hierarchy shares: the priority queue, the operations that the
 // pseudocode names, counters and the trace. A subclass writes only its frame algorithm.
@@ -27,7 +22,7 @@ class HierarchyTraversal : public Strategy {
                    Trace* trace) final;
 
   // What is remembered of each node, for tests and overlays.
-  [[nodiscard]] const std::vector<NodeState>& states() const { return context_.states; }
+  [[nodiscard]] const std::vector<NodeState>& states() const { return scene_.states(); }
 
  protected:
   // One frame, from an empty priority queue to an empty one.
@@ -50,8 +45,6 @@ class HierarchyTraversal : public Strategy {
   void issueQuery(NodeId node);
   // Waits for the result, stores bias and stopRefinement; false when no pixel passed.
   bool finishQuery(NodeId node);
-  // Projected area of the node's box, pixels, at least 1: the denominator of mu.
-  [[nodiscard]] double computeBoxPixels(NodeId node) const;
   // Fig. 2, Traverse(): draws the node if refinement stops there, else pushes its children.
   void traverse(NodeId node);
   // Marks the node and all above it as visible.
@@ -59,9 +52,9 @@ class HierarchyTraversal : public Strategy {
   // Whether the error, modulated by the node's bias, is small enough to draw it; true for a leaf.
   [[nodiscard]] bool isWithinTolerance(NodeId node) const;
 
-  [[nodiscard]] NodeState& state(NodeId node) { return context_.states[node]; }
+  [[nodiscard]] NodeState& state(NodeId node) { return scene_.state(node); }
   [[nodiscard]] FrameServices& services() { return *services_; }
-  [[nodiscard]] const PredictionContext& context() const { return context_; }
+  [[nodiscard]] const FrameView& view() const { return scene_.frame(); }
 
  private:
   using Entry = std::pair<double, NodeId>;  // distance, then id: a total order
@@ -78,8 +71,9 @@ class HierarchyTraversal : public Strategy {
 
   void render(NodeId node);
   // Counts a delay that the last frame's decision would have spared.
-  void noteRepeatedDelay(const NodeState& s) {
-    if (s.delayed && s.stoppedBefore == s.stopRefinement) ++counts_.repeatedDelays;
+  void noteRepeatedDelay(NodeId node) {
+    const NodeState& s = state(node);
+    if (s.delayed && stoppedBefore_[node] == s.stopRefinement) ++counts_.repeatedDelays;
   }
   void storeCounts(FrameRecord& record) const;
   void note(const TraceEvent& event) {
@@ -88,12 +82,13 @@ class HierarchyTraversal : public Strategy {
 
   TraversalOptions options_;
   Modulation modulation_;
-  PredictionContext context_;
+  SceneView scene_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> priorityQueue_;
-  Frustum frustum_;
   FrameServices* services_ = nullptr;
   Trace* trace_ = nullptr;
   Counts counts_;
+  // by node: stopRefinement of the frame before lastVisited, where the node was visible in it
+  std::vector<std::optional<bool>> stoppedBefore_;
   int drawnInLastFrame_ = 0;
 };
 

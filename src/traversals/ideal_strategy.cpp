@@ -12,16 +12,16 @@ class IdealPredictor final : public Predictor {
       : recording_(recording), marks_(nodeCount) {}
 
   // Throws std::out_of_range after the last frame recorded.
-  void beginFrame(const PredictionContext& context) override {
-    const RecordedFrame& frame = recording_.frames.at(static_cast<std::size_t>(context.frame));
-    for (const NodeId node : frame.refined) marks_[node] = {context.frame, Prediction::kRefine};
-    for (const NodeId node : frame.drawn) marks_[node] = {context.frame, Prediction::kStop};
+  void beginFrame(const FrameView& view) override {
+    const RecordedFrame& frame = recording_.frames.at(static_cast<std::size_t>(view.frame()));
+    for (const NodeId node : frame.refined) marks_[node] = {view.frame(), Prediction::kRefine};
+    for (const NodeId node : frame.drawn) marks_[node] = {view.frame(), Prediction::kStop};
   }
 
   // What SW(B) found hidden or did not reach is delayed: its result culls it.
-  Prediction predict(NodeId node, const PredictionContext& context) override {
+  Prediction predict(NodeId node, const FrameView& view) override {
     const Mark& mark = marks_[node];
-    return mark.frame == context.frame ? mark.prediction : Prediction::kDelay;
+    return mark.frame == view.frame() ? mark.prediction : Prediction::kDelay;
   }
 
  private:

@@ -14,19 +14,20 @@ class SimpPredictor final : public Predictor {
  public:
   explicit SimpPredictor(SimpEstimate estimate) : estimate_(estimate) {}
 
-  void beginFrame(const PredictionContext& /*context*/) override {
+  void beginFrame(const FrameView& /*view*/) override {
     bias_ = 1.0;  // nothing processed yet: as conservative as Bool
     sum_ = 0.0;
     results_ = 0;
   }
 
-  Prediction predict(NodeId node, const PredictionContext& context) override {
-    if (!context.wasVisible(node)) return Prediction::kDelay;
-    return bias_ * context.computeSse(node) <= context.options.tau ? Prediction::kStop
-                                                                   : Prediction::kRefine;
+  Prediction predict(NodeId node, const FrameView& view) override {
+    if (!view.wasVisible(node)) return Prediction::kDelay;
+    return bias_ * view.computeSse(node) <= view.tau() ? Prediction::kStop : Prediction::kRefine;
   }
 
-  void onVisible(NodeId /*node*/, double bias) override {
+  void onResult(NodeId node, const FrameView& view) override {
+    if (view.state(node).pixels == 0) return;
+    const double bias = view.state(node).bias;
     sum_ += bias;
     ++results_;
     bias_ = estimate_ == SimpEstimate::kLastProcessed ? bias : sum_ / results_;

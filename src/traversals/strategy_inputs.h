@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hlodbench/options.h>
+
 #include <stdexcept>
 
 #include "hlod/tree/hierarchy.h"
@@ -16,6 +18,8 @@ struct StrategyInputs {
   // (StrategyInfo::needsRecording). Frames may be added to it while it is used, each before it is
   // rendered.
   const FrontRecording* recording = nullptr;
+  // of its own options, StrategyInfo::options; without any, StrategyInfo::make() takes the defaults
+  plugin::OptionValues own = {};
 };
 
 // The recording, for a strategy that cannot do without. Throws std::invalid_argument for none.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hlodbench/predictor.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -7,12 +9,7 @@
 
 namespace hlodbench {
 
-// How a node goes on before its visibility in this frame is known (paper, section 4.1).
-enum class Prediction : std::uint8_t {
-  kRefine,  // traverse the children at once; costs geometry if it was too conservative
-  kStop,    // query and draw at once; costs a RARN if it was too aggressive
-  kDelay    // query and wait for the result; costs latency if the node is drawn after all
-};
+using plugin::Prediction;
 
 // One decision of a strategy, in order of happening; a trace file is made of these.
 struct TraceEvent {

@@ -10,6 +10,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
+# Where the headers of plug-ins are, which both trees include as <hlodbench/...>.
+PUBLIC = "src/traversals/plugin"
+
 GL = ("glad/", "gl/", "gles", "egl/", "khr/", "glx", "x11/", "glfw/", "epoxy/", "osmesa")
 
 # Folder under src -> what nothing in it may reach, compared in lower case with the start of an
@@ -35,7 +38,7 @@ def includes(path):
 
 def resolve(root, includer, name):
     """The header of ours that an include means, or None for one of the system."""
-    for folder in (includer.parent, root / "src", root / "bench"):
+    for folder in (includer.parent, root / "src", root / "bench", root / PUBLIC):
         candidate = (folder / name).resolve()
         if candidate.is_file():
             return candidate
@@ -44,7 +47,7 @@ def resolve(root, includer, name):
 
 def logical_name(root, path):
     """How a header of ours is to be included: its path under src/ or bench/."""
-    for folder in (root / "src", root / "bench"):
+    for folder in (root / PUBLIC, root / "src", root / "bench"):
         if path.is_relative_to(folder):
             return path.relative_to(folder).as_posix()
     return path.as_posix()
@@ -85,6 +88,35 @@ def test_folder_keeps_to_its_layer(folder):
     assert check(ROOT, folder) == []
 
 
+# Public headers: nothing but themselves and the standard library, whose headers have no folder and
+# no ending.
+
+
+def public_violations(root):
+    found = []
+    headers = {p.name for p in (root / PUBLIC / "hlodbench").glob("*")}
+    for path in sources(root / PUBLIC):
+        for name in includes(path):
+            if name not in headers and not re.fullmatch(r"[a-z_]+", name):
+                found.append(f"{path.name} -> {name}")
+    return found
+
+
+def test_public_headers_need_nothing_but_the_standard_library():
+    names = {p.name for p in (ROOT / PUBLIC / "hlodbench").iterdir()}
+    assert "plugin.h" in names
+    assert public_violations(ROOT) == []
+
+
+@pytest.mark.parametrize(
+    "name", ["glm/glm.hpp", "hlod/tree/hierarchy.h", "traversals/bias.h", "fmt/format.h",
+             "../../bias.h", "dlfcn.h", "nlohmann/json.hpp"])
+def test_check_of_public_headers_finds(tmp_path, name):
+    write(tmp_path, {f"{PUBLIC}/hlodbench/a.h": f"#include <vector>\n#include <{name}>\n",
+                     f"{PUBLIC}/hlodbench/b.h": '#include "a.h"\n'})
+    assert public_violations(tmp_path) == [f"a.h -> {name}"]
+
+
 def write(root, files):
     for name, text in files.items():
         path = root / name
@@ -118,6 +150,13 @@ BAD = {
     "the renderer includes a strategy": (
         "hlod/render",
         {"src/hlod/render/r.cpp": '#include "traversals/a.h"\n', "src/traversals/a.h": "\n"},
+    ),
+    "through a public header": (
+        "traversals",
+        {
+            "src/traversals/a.cpp": "#include <hlodbench/p.h>\n",
+            f"{PUBLIC}/hlodbench/p.h": "#include <GL/gl.h>\n",
+        },
     ),
     "the tree includes glad": ("hlod/tree", {"src/hlod/tree/t.cpp": '#include "glad/gl.h"\n'}),
 }

@@ -97,6 +97,9 @@ HELP = {
         "--overlay": ["bias, level, node, rarn"],
         "--cache": ["folder"],
         "--max-triangles": ["triangles", "[2000]"],
+        "--plugin": ["shared library", "repeated"],
+        "--set": ["STRATEGY.OPTION=VALUE"],
+        "--frame-timeout": ["seconds", "[30]"],
     },
     "table": {"dir": ["folders"], "--format": ["markdown", "latex", "csv", "[markdown]"]},
     "compare": {
@@ -108,7 +111,7 @@ HELP = {
         "--min-change": ["per cent", "[1]"],
     },
     "bias": {"--s": ["0 to 1"], "--t": ["0 to 1"], "--exponent": ["1 to 100"], "--samples": ["[101]"]},
-    "list": {},
+    "list": {"--plugin": ["shared library"]},
 }
 
 

@@ -163,7 +163,7 @@ TEST(Coh, RefinesWhereItStoppedWhenTheEstimateRises) {
   tree.setMu(1, 0.2);
   ScriptedRun run(tree, "coh-b", kNever);
   run.renderFrame();
-  tree.setSse(1, 10.0);  // 0.16 * 10 > 1
+  run.zoom(2.5);  // 0.16 * 10 > 1
   EXPECT_EQ(
       run.renderFrame(),
       "visit 0 refine, visit 1 refine, visit 2 stop, query 2, draw 2, visit 4 delay, query 4, "
@@ -207,14 +207,15 @@ TEST(Coh, RefinesWhileAChildDidNotStop) {
 TEST(Coh, RefinesWhileAChildWouldNotStopAgain) {
   FiveNodes tree;
   tree.addChildren(3, 2);
+  tree.setSse(1, 3.0);
   tree.setSse(3, 2.0);
   tree.setMu(3, 0.3);  // B = 0.347: 0.69
   tree.setMu(4, 0.01);
   ScriptedRun run(tree, "coh-b", 0);
   run.renderFrame();
   EXPECT_THAT(run.listDrawn(), ElementsAre(2, 4, 3));
-  // 0.347 * 3 is above 1; the average (0.347 + 0.0004) / 2 * 4 would have said otherwise
-  tree.setSse(3, 3.0);
+  // 0.347 * 3.2 is above 1; the average (0.347 + 0.0004) / 2 * 4.8 would have said otherwise
+  run.zoom(1.6);
   EXPECT_THAT(run.renderFrame(), HasSubstr("visit 1 refine"));
 }
 

@@ -126,6 +126,11 @@ class ScriptedRun final : public FrameServices {
     return describe();
   }
 
+  // From now on each node has `factor` times as many pixels of error.
+  void zoom(double factor) {
+    camera.lens.height = static_cast<int>(std::lround(camera.lens.height * factor));
+  }
+
   void draw(NodeId) override { queries_.noteDraw(); }
   void issueQuery(NodeId node) override { queries_.issue(node); }
   bool isAvailable(NodeId node) override { return queries_.isAvailable(node); }
