@@ -23,7 +23,7 @@ def run_whole(command, folder, check=lambda _: None, **options):
     program ends with 0 and check(folder) finds no flaw. options: of subprocess.Popen. Raises
     CellFailed, or OSError if the program cannot be started; then nothing is left.
 
-    An empty `folder` may be there; if it is filled in the meantime, that one stays.
+    If another process fills `folder` in the meantime, that one stays.
     """
     folder = pathlib.Path(folder)
     partial = folder.with_name(f".{folder.name}.{socket.gethostname()}.{os.getpid()}")

@@ -12,7 +12,7 @@ from .cell import find_flaw
 from .description import read_description
 from .errors import SweepError
 from .inputs import Inputs
-from .plan import CELLS, LOGS, READY, make_plan
+from .plan import CELLS, DONE, LOGS, READY, make_plan, name_of
 from .program import Program
 from .runner import (dry_run_snakemake, explain_failure, find_profile, find_snakemake,
                      run_snakemake)
@@ -124,10 +124,11 @@ def list_pending(out, plan, say=False):
 
 def prepare(out, plan, is_local):
     """Takes away what is left of earlier attempts at the pending cells, and writes the plan."""
-    for name in (CELLS, LOGS, READY):
+    for name in (CELLS, DONE, LOGS, READY):
         (out / name).mkdir(exist_ok=True)
     for identity in plan.pending:
         shutil.rmtree(out / CELLS / identity, ignore_errors=True)
+        (out / DONE / identity).unlink(missing_ok=True)
         (out / LOGS / f"{identity}.log").unlink(missing_ok=True)
     for key in plan.hierarchies:
         # Asked for anew each time: the program knows whether the file in the cache is up to date.
@@ -175,7 +176,8 @@ def show(options, plan, profile):
 
 def describe(cell):
     """A cell's parameters on one line."""
-    return " ".join(f"{key.removeprefix('option.')}={value}"
+    return " ".join(f"{key.removeprefix('option.')}="
+                    f"{name_of(value) if key in ('scene', 'session') else value}"
                     for key, value in cell.parameters.items())
 
 

@@ -13,7 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from sweeping import child  # noqa: E402
 from sweeping.cell import CellFailed, find_flaw, run_whole  # noqa: E402
-from sweeping.plan import CELLS, LOGS, READY, read_plan  # noqa: E402
+from sweeping.plan import CELLS, DONE, LOGS, READY, read_plan  # noqa: E402
 from sweeping.program import hash_file  # noqa: E402
 
 
@@ -33,6 +33,9 @@ def build(plan, key, threads, log):
 def run(plan, identity, threads, log):
     """Runs a cell."""
     cell, folder = plan.cells[identity], pathlib.Path(CELLS, identity)
+    if folder.exists() and not find_flaw(folder):  # by a job of an earlier attempt, on a cluster
+        pathlib.Path(DONE, identity).touch()
+        return
     for path, expected in ((plan.program, plan.program_hash), (cell.session, cell.session_hash)):
         if hash_file(path) != expected:
             raise CellFailed(f"{path}: changed while the sweep ran; start it again")
@@ -44,6 +47,7 @@ def run(plan, identity, threads, log):
         # Mesa's software rasteriser has so many threads besides the one that draws.
         environment["LP_NUM_THREADS"] = str(int(threads) - 1)
     run_whole(command, folder, find_flaw, stdout=log, stderr=subprocess.STDOUT, env=environment)
+    pathlib.Path(DONE, identity).touch()
 
 
 def main(arguments):

@@ -17,6 +17,7 @@ PLAN = "plan.json"
 CELLS = "cells"  # result folders, by identity
 LOGS = "logs"
 READY = "ready"  # an empty file for each hierarchy that this sweep has built or found built
+DONE = "done"  # an empty file for each cell that this attempt has run
 VERSION = 1
 ID_LENGTH = 16  # hex digits: no two of 100,000 cells alike, but for one chance in 10^9
 

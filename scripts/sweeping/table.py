@@ -20,7 +20,7 @@ OPTION = "option."
 PARAMETERS = ("scene", "session", "size", "tau", "s", "t", "latency", "seed", "repetitions",
               "timing")
 PLACE = ("cell", "strategy", "label")
-FACTS = ("program", "revision", "scene_hash", "triangles", "nodes", "frames")
+FACTS = ("program", "revision", "scene_hash", "scene_triangles", "scene_nodes", "frames")
 RATES = ("fps", "fps_low", "fps_high")
 QUALITY = ("psnr_y", "psnr_cb", "psnr_cr", "psnr_identical", "psnr_full_y", "wrong_share",
            "crack_pixels")
@@ -100,8 +100,9 @@ def _make_row(identity, cell, plan, run, strategy):
     row["repetitions"] = data.get("repetitions")
     row |= {key: value for key, value in cell.parameters.items() if key.startswith(OPTION)}
     row |= {"program": plan.program_hash[:16], "revision": data["context"].get("git_revision"),
-            "scene_hash": data["scene"].get("hash"), "triangles": data["scene"].get("triangles"),
-            "nodes": data["scene"].get("nodes"), "frames": data["session"]["frames"]}
+            "scene_hash": data["scene"].get("hash"),
+            "scene_triangles": data["scene"].get("triangles"),
+            "scene_nodes": data["scene"].get("nodes"), "frames": data["session"]["frames"]}
     means = pooled_means(run, strategy)
     row |= {key: mean for key, mean in means.items() if cell.timing or not is_time(key)}
     if means.get("dn") and "d" in means:
