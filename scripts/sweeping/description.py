@@ -110,6 +110,8 @@ class _Loader(yaml.SafeLoader):
 def _construct_mapping(loader, node):
     seen = set()
     for key, _ in node.value:
+        if not isinstance(key, yaml.ScalarNode):
+            continue  # refused below
         if key.value in seen:
             raise yaml.constructor.ConstructorError(
                 None, None, f"expected the key {key.value!r} once, found it twice", key.start_mark)
