@@ -49,6 +49,11 @@ def make_rows(plan, folder):
     return rows
 
 
+def is_fact(column):
+    """Whether a column says what a cell ran on rather than what it gave."""
+    return column in FACTS
+
+
 def is_time(counter):
     """Whether a counter is a time, which depends on what else the machine did."""
     return counter.endswith("_ms")
@@ -146,12 +151,12 @@ def write_table(folder, rows):
             temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
-        writer.writerows([_text_of(row.get(column)) for column in columns] for row in rows)
+        writer.writerows([format_number(row.get(column)) for column in columns] for row in rows)
     _write_parquet(os.path.join(folder, PARQUET), columns, rows)
 
 
-def _text_of(value):
-    """The shortest text that is read as the same number."""
+def format_number(value):
+    """The shortest text that is read as the same number; other values as text, None as none."""
     if value is None:
         return ""
     if isinstance(value, float):
