@@ -4,20 +4,19 @@
 For each pair the session is replayed with Bool and Coh(B), interleaved, by `hlodbench run`; its
 result folder is kept in OUT and a pair that is already there is not run again, so that an
 interrupted grid goes on where it stopped. s = 0 gives B = mu whatever t is: it is run once. The
-table is also written as OUT/grid.csv.
+table is also written as OUT/grid.csv. For other parameters, and all cores, see scripts/sweep.
 """
 
 import argparse
 import csv
 import io
-import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import time
 
 from atomic_file import write_atomically
+from sweeping.cell import CellFailed, run_whole
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 COLUMNS = ("s", "t", "dn", "dn_share", "rarn", "delayed_share", "fps", "speedup", "speedup_low",
@@ -50,19 +49,15 @@ def plan(s_values, t_values):
 
 def run_pair(options, s, t, folder):
     """Replays the session with one pair into `folder`, which appears when it is complete."""
-    partial = folder.with_name(f".{folder.name}.{os.getpid()}")
     command = [options.hlodbench, "run", "--scene", options.scene, "--session", options.session,
                "--strategy", "bool,coh-b", "--s", s, "--t", t,
-               "--repetitions", options.repetitions, "--images", options.images, "--out", partial]
+               "--repetitions", options.repetitions, "--images", options.images]
     try:
-        code = subprocess.run([str(part) for part in command], check=False).returncode
-        if code != 0:
-            raise BadInput(f"s = {s:g}, t = {t:g}: hlodbench ended with code {code}")
-        partial.rename(folder)
+        run_whole(command, folder)
+    except CellFailed as error:
+        raise BadInput(f"s = {s:g}, t = {t:g}: {error}") from None
     except OSError as error:
         raise BadInput(f"{options.hlodbench}: cannot be run: {error.strerror}") from None
-    finally:
-        shutil.rmtree(partial, ignore_errors=True)
 
 
 def read_row(options, s, t, folder):

@@ -1,5 +1,6 @@
 """Counters and PSNR of every strategy over the latency of query results."""
 
+import math
 import textwrap
 
 import numpy as np
@@ -9,7 +10,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from strategy_style import styles_of
 
-HEIGHT_MM = 190
+HEIGHT_MM = 180  # without the key
+KEY_LINE_MM, KEY_COLUMNS = 5, 5
 GAP = 0.45  # between the last latency in draws and the first in frames, in units of the axis
 STEP = 0.3  # between latencies in frames
 MANY = 3  # DN and others begin at 0 unless the least is more than 1/MANY of the most
@@ -19,10 +21,12 @@ def draw_latency(curves, title):
     """Draws one Curves; Skipped if it has fewer than two fixed latencies."""
     if len(curves.latencies("draws")) + len(curves.latencies("frames")) < 2:
         raise Skipped("expected two or more fixed latencies (draws:N, frames:N), found fewer")
-    figure = new_figure(PAGE_MM, HEIGHT_MM)
-    panels = figure.subplots(3, 2, sharex=True)
-    figure.suptitle(textwrap.fill(title, LINE_CHARACTERS), x=0.01, ha="left")
     styles = styles_of(curves.labels)
+    key_mm = KEY_LINE_MM * math.ceil((len(styles) + 1) / KEY_COLUMNS)
+    figure = new_figure(PAGE_MM, HEIGHT_MM + key_mm)
+    grid = figure.add_gridspec(4, 2, height_ratios=[key_mm] + [HEIGHT_MM / 3] * 3)
+    panels = np.array([[figure.add_subplot(grid[i + 1, j]) for j in range(2)] for i in range(3)])
+    figure.suptitle(textwrap.fill(title, LINE_CHARACTERS), x=0.01, ha="left")
     for axes, (key, name) in zip(panels.flat, VALUES.items()):
         for strategy, style in styles.items():
             _draw_line(axes, curves, strategy, style, key)
@@ -31,14 +35,19 @@ def draw_latency(curves, title):
         _set_range(axes, key)
         _draw_ticks(axes, curves)
     for axes in panels[-1]:
-        axes.set_xlabel("latency of query results, draws; right: frames")
+        axes.set_xlabel("latency, draws; at the right in frames")
+    _draw_key(figure.add_subplot(grid[0, :]), curves, styles)
+    return figure
+
+
+def _draw_key(axes, curves, styles):
     handles = [Line2D([], [], label=curves.labels[s], **_look(style))
                for s, style in styles.items()]
     if curves.driver:
-        handles.append(Patch(facecolor="#888888", alpha=0.35, label="the driver's (gl), and its "
-                             "spread"))
-    figure.legend(handles=handles, loc="outside lower left", ncol=5)
-    return figure
+        handles.append(Patch(facecolor="#888888", alpha=0.35, label="driver (gl)"))
+    key = axes.legend(handles=handles, loc="center left", ncol=KEY_COLUMNS, borderaxespad=0)
+    key.set_in_layout(False)  # or a long name would make every panel narrow
+    axes.axis("off")
 
 
 def frame_place(curves, frames):

@@ -144,3 +144,28 @@ def test_half_written_cell_is_run_again(sweep, whole):
     assert done.returncode == 0 and "4 cells, 3 to run" in done.stderr, done.stderr
     assert done.stderr.count("run again: ") == 3
     assert (out / "sweep.csv").read_bytes() == whole
+
+
+def test_latency_tables_of_two_runs_are_the_same_bytes(sweep):
+    pytest.importorskip("matplotlib", reason="needs python3-matplotlib")
+    command = sweep(sweep.folder / "first", "--cores", 2, "--dpi", 60)
+    command[1] = str(ROOT / "scripts/latency.py")
+    command[2] = str(sweep.folder / "latency.sweep.yaml")
+    text = SWEEP.replace("s: [0.5, 1]\n", "").replace('"frames:1"', '"draws:9", "frames:1"')
+    pathlib.Path(command[2]).write_text(text, encoding="utf-8")
+    tables = []
+    for name in ("first", "second"):
+        command[command.index("--out") + 1] = str(sweep.folder / name)
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        assert "3 cells, 3 to run" in done.stderr
+        tables.append((sweep.folder / name / "latency.csv").read_bytes())
+        assert (sweep.folder / name / "latency_walls.pdf").stat().st_size > 0
+    assert tables[0] == tables[1]
+    rows = list(csv.DictReader(tables[0].decode().splitlines()))
+    assert [(row["strategy"], row["latency"]) for row in rows] == [
+        (strategy, latency) for strategy in ("bool", "coh-b")
+        for latency in ("draws:0", "draws:9", "frames:1")]
+    coh = [row for row in rows if row["strategy"] == "coh-b"]
+    assert len({row["rarn"] for row in coh} | {row["d"] for row in coh}) > 1  # latency matters
+    assert all(float(row["psnr_full_y"]) > 10 for row in rows)

@@ -64,7 +64,8 @@ class Sweep {
   makeRow(strategy, rows, counter, across, down, range) {
     const others = this.data.parameters.map((_, i) => i).filter((i) => i !== across && i !== down);
     const groups = new Map();
-    for (const row of rows) {
+    const before = (a, b) => others.map((i) => a.places[i] - b.places[i]).find((d) => d !== 0) || 0;
+    for (const row of [...rows].sort(before)) {
       const name = others.map((i) => this.describe(i, row.places[i])).join(", ");
       if (!groups.has(name)) groups.set(name, []);
       groups.get(name).push(row);
