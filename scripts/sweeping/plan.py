@@ -7,7 +7,6 @@ the order of the file, or add a value to an axis, and the others stay what they 
 
 import hashlib
 import json
-import os
 import pathlib
 from dataclasses import asdict, dataclass, field
 
@@ -78,8 +77,7 @@ def make_plan(description, program, inputs, cache, cores):
 
     Raises SweepError for files that are not there.
     """
-    plan = Plan(description.name, os.path.abspath(program.path), program.hash,
-                build_threads=cores or 1)
+    plan = Plan(description.name, program.path, program.hash, build_threads=cores or 1)
     for cell in description.cells:
         _add_cell(plan, cell, description.path.parent, program, inputs, cache, cores)
     return plan

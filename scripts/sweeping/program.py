@@ -1,6 +1,7 @@
 """The program that a sweep runs: its hash, and the options it knows."""
 
 import hashlib
+import os
 import re
 import subprocess
 
@@ -24,7 +25,7 @@ class Program:
 
     def __init__(self, path):
         """Raises SweepError where it cannot be run."""
-        self.path = str(path)
+        self.path = os.path.abspath(path)
         try:
             self.hash = hash_file(path)
         except OSError as error:
