@@ -169,6 +169,7 @@ def _write_parquet(path, columns, rows):
         import pyarrow
         import pyarrow.parquet
     except ImportError:
+        pathlib.Path(path).unlink(missing_ok=True)  # of an earlier attempt that had it
         return
     content = {}
     for column in columns:

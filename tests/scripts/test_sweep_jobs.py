@@ -265,3 +265,30 @@ def test_table_that_is_none(tmp_path, text, said):
     with pytest.raises(TableError) as error:
         read_table(tmp_path / "sweep.csv")
     assert said in str(error.value)
+
+
+PYARROW = """
+def table(columns):
+    return columns
+"""
+PARQUET = """
+import json
+def write_table(table, path):
+    with open(path, "w") as file:
+        json.dump(table, file)
+"""
+
+
+def test_parquet_gets_the_columns_of_the_table(sweep, tmp_path):
+    # pyarrow is not in Debian; a stand-in shows what it is given.
+    (tmp_path / "modules" / "pyarrow").mkdir(parents=True)
+    (tmp_path / "modules" / "pyarrow" / "__init__.py").write_text(PYARROW)
+    (tmp_path / "modules" / "pyarrow" / "parquet.py").write_text(PARQUET)
+    sweep.environment["PYTHONPATH"] = str(tmp_path / "modules")
+    assert sweep.run(BASE + "s: 0.5\n").returncode == 0
+    columns = json.loads((sweep.out / "sweep.parquet").read_text())
+    rows = sweep.rows()
+    assert list(columns) == list(rows[0])
+    assert columns["dn"] == [float(row["dn"]) for row in rows]
+    assert columns["strategy"] == ["bool", "coh-b"]
+    assert columns["d"] == [None, pytest.approx(float(rows[1]["d"]))]
