@@ -29,6 +29,8 @@ def draw_latency(curves, title):
     figure.suptitle(textwrap.fill(title, LINE_CHARACTERS), x=0.01, ha="left")
     for axes, (key, name) in zip(panels.flat, VALUES.items()):
         for strategy, style in styles.items():
+            if key == "d" and curves.delays_all(strategy):
+                continue
             _draw_line(axes, curves, strategy, style, key)
             _draw_driver(axes, curves, strategy, style, key)
         axes.set(ylabel=name)

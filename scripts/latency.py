@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs a sweep over the latency of query results and draws what it costs each strategy.
 
-The first run does everything; after that only what is missing or changed is run again, and the figure
-and tables are made anew. Fixed latencies (draws:N, frames:N) give the same tables every time, to the
-byte; what the driver gives (gl) stands in a table of its own.
+The first run does everything; after that only what is missing or changed is run again, and figure and
+tables are made anew. Fixed latencies (draws:N, frames:N) give the same tables every time, to the byte;
+what the driver gives (gl) stands in a table of its own.
 """
 
 import argparse
@@ -16,8 +16,8 @@ try:
     from atomic_file import write_atomically, write_text_atomically
     from figure_latency import draw_latency
     from figure_style import Skipped, save_figure
-    from latency_data import (COUNTERS, TELLING, UNITS, VALUES, describe_equivalent, find_equivalent,
-                              read_curves)
+    from latency_data import (COUNTERS, TELLING, UNITS, VALUES, describe_equivalent,
+                              find_equivalent, read_curves)
     from result_folder import ResultError
     from sweeping import cli as sweep
     from sweeping.table import TableError, format_number
@@ -31,8 +31,8 @@ example:
   scripts/latency.py sessions/courtyard.latency.sweep.yaml --out results/runs/latency
 
 Leaves in DIR: latency_SCENE.pdf and .png, latency.csv (fixed latencies), latency_gl.csv (the
-driver's, with its spread), latency.md (captions), and the sweep itself in DIR/sweep. Options that are
-not listed here are those of scripts/sweep: --cores, --cache, --hlodbench, --profile.
+driver's, with its spread), latency.md (captions), and the sweep itself in DIR/sweep. Options that
+are not listed here are those of scripts/sweep: --cores, --cache, --hlodbench, --profile.
 Exit codes: 0 done; 1 a cell or a figure is missing; 2 wrong usage or input; 130 interrupted."""
 FORMATS = ("pdf", "png")
 HEAD = ("scene", "session", "size", "tau", "s", "t", "strategy", "label")
@@ -57,7 +57,8 @@ def name_figures(all_curves):
     """latency_SCENE, with a number after the second of a scene."""
     names = []
     for curves in all_curves:
-        base = "latency_" + (re.sub(r"[^A-Za-z0-9._-]+", "_", curves.parameters["scene"]) or "scene")
+        scene = re.sub(r"[^A-Za-z0-9._-]+", "_", curves.parameters["scene"])
+        base = f"latency_{scene or 'scene'}"
         count = sum(name == base or name.startswith(f"{base}-") for name in names)
         names.append(base if count == 0 else f"{base}-{count + 1}")
     return names
@@ -113,9 +114,13 @@ def make_title(curves):
 def make_caption(name, curves):
     """What the figure shows and how to read the driver's latency off it, as Markdown."""
     lines = [f"## {name}", "",
-             make_title(curves) + ". Means over the measured frames. Left: the result of a query is "
-             "there after so many draws (logarithmic, with a 0); right, `1f`: after so many frames, "
-             "that is within no frame unless it is waited for. Counts repeat exactly."]
+             make_title(curves) + ". Means over the measured frames. Left: the result of a query "
+             "is there after so many draws (logarithmic, with a 0); right, `1f`: after so many "
+             "frames, that is within no frame unless it is waited for. Counts repeat exactly. PSNR "
+             "against Bool is the mean over the pictures that differ from Bool's, which may be few."]
+    left_out = [curves.labels[s] for s in curves.labels if curves.delays_all(s)]
+    if left_out:
+        lines[-1] += f" D leaves out what delays every node it draws: {', '.join(left_out)}."
     if not curves.driver:
         return "\n".join(lines) + "\n"
     repetitions = max(driver.repetitions for driver in curves.driver.values())
@@ -123,9 +128,11 @@ def make_caption(name, curves):
               f"Horizontal lines: the driver's own latency (gl), mean of {repetitions} repetitions; "
               "bands: from the least to the most of them (95 % bootstrap interval of more than "
               "five). PSNR is that of the first repetition and has no band. The latency in draws "
-              "that the driver's is worth is read where its line of RARN or D crosses the curve, "
-              "interpolated on the axis shown; it is said only where they cross once:", "",
-              "| strategy | by RARN | by D |", "|---|---|---|"]
+              "that the driver's is worth is read where its line of RARN, D or DN crosses the "
+              "curve, interpolated on the axis shown. A driver's latency differs from query to "
+              "query, so these need not agree, and a value that no fixed latency gives is worth "
+              "none:", "",
+              "| strategy | by RARN | by D | by DN |", "|---|---|---|---|"]
     for strategy in curves.driver:
         told = [describe_equivalent(curves, strategy, key) or "–" for key in TELLING]
         lines.append(f"| {curves.labels[strategy]} | " + " | ".join(told) + " |")

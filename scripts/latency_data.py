@@ -23,7 +23,7 @@ VALUES = {
     "psnr_full_y": "PSNR Y against the full model, dB",
 }
 COUNTERS = ("dn", "queries", "rarn", "d")  # those with a value in each repetition
-TELLING = ("rarn", "d")  # those by which a latency can be told
+TELLING = ("rarn", "d", "dn")  # those by which a latency can be told
 FREE = ("latency", "repetitions", "timing")  # what may differ within one figure
 UNITS = ("draws", "frames")
 
@@ -51,6 +51,12 @@ class Curves:
         pairs = [(latency, float(row[key])) for latency, row in self.fixed.get((strategy, unit), [])
                  if row.get(key)]
         return tuple(np.array(pairs, dtype=float).reshape(-1, 2).T)
+
+    def delays_all(self, strategy):
+        """Whether every node that it draws was delayed, as SW(B) has it by its nature: its D says
+        nothing, and the paper's tables leave it out."""
+        rows = [row for unit in UNITS for _, row in self.fixed.get((strategy, unit), [])]
+        return bool(rows) and all(row.get("d") and row["d"] == row["dn"] for row in rows)
 
     def latencies(self, unit):
         """All of the unit, ascending."""
@@ -117,6 +123,8 @@ def describe_equivalent(curves, strategy, key):
     """What latency the driver's value is worth, in words; None if there is nothing to compare."""
     driver = curves.driver.get(strategy)
     latencies, values = curves.points(strategy, "draws", key)
+    if key == "d" and curves.delays_all(strategy):
+        return None
     if driver is None or key not in driver.means or len(values) < 2 or values.min() == values.max():
         return None
     found = find_equivalent(latencies, values, driver.means[key])

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""One job of a sweep, as the Snakefile calls it in the sweep's folder: job.py hierarchy KEY THREADS,
-or job.py cell IDENTITY THREADS. What it says goes to LOGS/KEY.log, whose last line is the reason if it
-fails."""
+"""One job of a sweep, as the Snakefile calls it in the sweep's folder.
+
+job.py hierarchy KEY THREADS, or job.py cell IDENTITY THREADS. What it says goes to LOGS/KEY.log, whose
+last line is the reason if it fails.
+"""
 
 import os
 import pathlib

@@ -1,8 +1,8 @@
 """What there is to run: cells with their identities, and the hierarchies that they need.
 
-A cell's identity is a hash of everything that its result follows from: its parameters, the program's
-bytes, and the contents of its scene and session. Change one of them and it is another cell; change
-the order of the file, or add a value to an axis, and the others stay what they were.
+A cell's identity is a hash of everything that its result follows from: its parameters, the bytes of
+the program, and the contents of its scene and session. Change one of them and it is another cell;
+change the order of the file, or add a value to an axis, and the others stay what they were.
 """
 
 import hashlib

@@ -78,12 +78,14 @@ def dry_run_snakemake(folder, cores, profile):
 
 
 class Stop:
-    """Passes the first SIGINT, SIGTERM or SIGHUP on to Snakemake and its jobs."""
+    """Passes the first SIGINT, SIGTERM or SIGHUP on to Snakemake and its jobs; not those that are
+    ignored, as SIGHUP is under nohup."""
 
     def __init__(self, process):
         self.asked, self._process = False, process
         self._before = {s: signal.signal(s, self._pass_on)
-                        for s in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
+                        for s in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+                        if signal.getsignal(s) != signal.SIG_IGN}
 
     def _pass_on(self, *_):
         if not self.asked:

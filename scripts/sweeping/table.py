@@ -1,7 +1,7 @@
 """OUT/sweep.csv: a row for each cell and strategy, with its parameters and what they gave.
 
-Parameters are those in effect, defaults included. A counter is its mean over the measured frames and
-the repetitions. What is not known is an empty field.
+Parameters are those in effect, defaults included. A counter is its mean over the measured frames of
+all repetitions. What is not known is an empty field.
 """
 
 import csv

@@ -1,7 +1,7 @@
 """A stand-in for the program that builds nothing and leaves made-up results (fake_run.py).
 
-Each call is a line of JSON in the file that $FAKE_LOG names: what it was, its arguments, when it began
-and ended. $FAKE_FAIL=OPTION=VALUE makes the runs with that value fail. A run with a latency of
+Each call is a line of JSON in the file that $FAKE_LOG names: what it was, its arguments, when it
+began and ended. $FAKE_FAIL=OPTION=VALUE makes the runs with that value fail. A run with a latency of
 frames:N waits until another such run has begun, if $FAKE_MEET names a folder.
 """
 

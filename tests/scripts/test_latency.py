@@ -78,6 +78,10 @@ def test_lines_have_the_numbers_of_the_table(tmp_path):
         assert (min(band), max(band)) == pytest.approx((i + place(1), i + place(100)))
         assert line(dn, f"dn.{strategy}.draws").get_ydata().tolist() == [100] * 4
     assert [t.get_text() for t in d.texts] == ["no values"]
+    for row in [row for key, rows in curves.fixed.items() if key[0] == "mine" for _, row in rows]:
+        row["d"] = row["dn"]  # delays every node: no line, and no latency told
+    d = draw_latency(curves, "title").axes[3]
+    assert "d.mine.draws" not in [item.get_gid() for item in d.get_lines()]
     looks = {(h.get_color(), str(h.get_linestyle()), h.get_marker())
              for h in rarn.get_lines() if (h.get_gid() or "").endswith(".draws")}
     assert len(looks) == len(STRATEGIES)

@@ -81,7 +81,7 @@ BAD = {
     BASE + "options: {simpp: last}\n": "options.simpp: expected an option of `hlodbench run`",
     BASE + "options: {latency: gl}\n": "options.latency: expected an option that has no key of",
     BASE + "options: {threads: 1}\n": "options.threads: expected an option that has no key of",
-    BASE + "options: {simp: }\n": "options.simp: expected a text, number, true or false, found none",
+    BASE + "options: {simp: }\n": "options.simp: expected a text, number, true or false, found",
     BASE + "blocks: {}\n": "blocks: expected a list of mappings, found '{}'",
     BASE + "blocks: [{name: x}]\n": "blocks[0].name: expected one of the keys scene,",
     BASE + "blocks: [{}, {s: -1}]\n": "blocks[1].s: expected a number from 0 to 1, found '-1'",

@@ -1,4 +1,4 @@
-"""scripts/sweep with a stand-in for the program: what runs when, what is run again, what is said."""
+"""scripts/sweep with a stand-in for the program: what runs when, what again, and what is said."""
 
 import csv
 import itertools
