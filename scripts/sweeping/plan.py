@@ -88,11 +88,11 @@ def _add_cell(plan, cell, folder, program, inputs, cache, cores):
     scene, session = folder / parameters["scene"], folder / parameters["session"]
     scene_hash = inputs.hash_scene(scene)
     session_hash = inputs.hash_file(session, "a session")
-    run, build = _split_arguments(cell, program, scene)
+    files = _find_files(parameters, folder)
+    run, build = _split_arguments(cell, program, scene, files)
     # Names of files do not count, but those that tables show; what is in them does.
     others = {key: value for key, value in parameters.items() if key not in ("scene", "session")}
-    hashes = {key: inputs.hash_file(folder / value, "a file")
-              for key, value in others.items() if "/" in value and (folder / value).is_file()}
+    hashes = {key: inputs.hash_file(path, "a file") for key, path in files.items()}
     identity = _hash({
         "version": VERSION, "program": plan.program_hash, "timing": cell.timing,
         "parameters": others, "files": hashes, "strategies": cell.strategies,
@@ -109,7 +109,14 @@ def _add_cell(plan, cell, folder, program, inputs, cache, cores):
         str(session.resolve()), session_hash, key, run)
 
 
-def _split_arguments(cell, program, scene):
+def _find_files(parameters, folder):
+    """Options whose value, with a / in it, names a file, such as a library: {key: path}."""
+    paths = {key: (folder / value).resolve() for key, value in parameters.items()
+             if key.startswith("option.") and "/" in value}
+    return {key: path for key, path in paths.items() if path.is_file()}
+
+
+def _split_arguments(cell, program, scene, files):
     """What `hlodbench run` gets, and what `hlodbench build` does."""
     run, build = [], []
     if cell.strategies:
@@ -124,7 +131,7 @@ def _split_arguments(cell, program, scene):
         if name in program.flags:
             arguments = [f"--{name}"] if value == "true" else []
         else:
-            arguments = [f"--{name}", value]
+            arguments = [f"--{name}", str(files.get(key, value))]
         is_option = key.startswith("option.")
         builds = is_option and name in program.build_options and scene.suffix != ".hlod"
         if builds:

@@ -170,11 +170,14 @@ def test_only_what_changed_is_run_again(sweep):
 def test_identity_follows_from_everything_that_a_result_follows_from(sweep, tmp_path):
     text = BASE + "t: 0.5\noptions: {simp: last}\n"
 
-    def identify(text, program=sweep.program):
+    def plan(text):
         (tmp_path / "my.sweep.yaml").write_text(text, encoding="utf-8")
-        program = Program(program)
+        program = Program(sweep.program)
         description = read_description(tmp_path / "my.sweep.yaml", program.run_options)
-        (cell,) = make_plan(description, program, Inputs(), tmp_path, 2).cells
+        return make_plan(description, program, Inputs(), tmp_path, 2)
+
+    def identify(text):
+        (cell,) = plan(text).cells
         return cell
 
     first = identify(text)
@@ -190,6 +193,13 @@ def test_identity_follows_from_everything_that_a_result_follows_from(sweep, tmp_
         with open(tmp_path / name, "a", encoding="utf-8") as file:
             file.write("\n")
         assert identify(text) not in different | {first, before}
+    # An option that names a file counts by its contents, and is found wherever the job runs.
+    (tmp_path / "library.so").write_text("code", encoding="utf-8")
+    library = text.replace("last", "./library.so")
+    before = identify(library)
+    assert str(tmp_path / "library.so") in plan(library).cells[before].arguments
+    (tmp_path / "library.so").write_text("other code", encoding="utf-8")
+    assert identify(library) != before
     (tmp_path / "mesh.ply").write_text("a mesh", encoding="utf-8")
     (tmp_path / "one.scene.json").write_text(
         '{"meshes": {"a": {"file": "${NO_SUCH_FOLDER:-.}/mesh.ply"}}}', encoding="utf-8")
