@@ -19,6 +19,7 @@ PARQUET = "sweep.parquet"
 OPTION = "option."
 PARAMETERS = ("scene", "session", "size", "tau", "s", "t", "latency", "seed", "repetitions",
               "timing")
+MEASURING = ("timing", "repetitions")
 PLACE = ("cell", "strategy", "label")
 FACTS = ("program", "revision", "scene_hash", "scene_triangles", "scene_nodes", "frames")
 RATES = ("fps", "fps_low", "fps_high")
@@ -200,6 +201,14 @@ def read_table(path):
 
 
 def swept_parameters(rows):
-    """The parameters that have more than one value in these rows, in the table's order."""
+    """The parameters that have more than one value in these rows, in the table's order.
+
+    How a cell was measured is none of them where the others tell the cells apart without it.
+    """
     keys = [*PARAMETERS, *(key for key in (rows[0] if rows else {}) if key.startswith(OPTION))]
-    return [key for key in keys if len({row[key] for row in rows}) > 1]
+    swept = [key for key in keys if len({row[key] for row in rows}) > 1]
+    for key in MEASURING:
+        others = [other for other in swept if other != key]
+        if len({(row["strategy"], *(row[k] for k in others)) for row in rows}) == len(rows):
+            swept = others
+    return swept

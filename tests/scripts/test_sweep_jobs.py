@@ -24,7 +24,8 @@ from sweeping.description import read_description  # noqa: E402
 from sweeping.inputs import Inputs  # noqa: E402
 from sweeping.plan import make_plan  # noqa: E402
 from sweeping.program import Program  # noqa: E402
-from sweeping.table import bootstrap_interval, read_table, swept_parameters  # noqa: E402
+from sweeping.table import (PARAMETERS, bootstrap_interval, read_table,  # noqa: E402
+                            swept_parameters)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SBATCH = """#!/bin/bash
@@ -246,6 +247,17 @@ def test_second_sweep_in_one_folder_is_refused(sweep):
         done = sweep.run(BASE + "s: 0.5\n")
     assert done.returncode == 2 and sweep.calls("run") == []
     assert done.stderr.count("\n") == 1 and "no other sweep" in done.stderr
+
+
+def test_how_a_cell_was_measured_is_no_parameter_where_others_tell_it_apart():
+    def rows(*cells):
+        keys = ("latency", "repetitions", "timing")
+        fixed = dict.fromkeys(PARAMETERS, "0")
+        return [{**fixed, **dict(zip(keys, cell)), "strategy": s} for cell in cells for s in "ab"]
+    assert swept_parameters(rows(("gl", "5", "true"), ("draws:0", "1", "false"))) == ["latency"]
+    assert swept_parameters(rows(("gl", "5", "true"), ("gl", "1", "true"))) == ["repetitions"]
+    assert swept_parameters(rows(("gl", "1", "true"), ("gl", "1", "false"))) == ["timing"]
+    assert swept_parameters(rows(("gl", "1", "true"))) == []
 
 
 def test_interval_of_many_repetitions_is_narrower_than_their_range():
