@@ -2,6 +2,7 @@
 
 import re
 
+from sweeping.plan import read_plan
 from sweeping.table import (OPTION, PARAMETERS, PLACE, TABLE, TableError, is_fact, read_table,
                             swept_parameters)
 
@@ -54,7 +55,7 @@ def make_sweep(identity, folder, rows):
     counters = [describe_value(key) for key in list_values(rows)]
     return {
         "id": identity,
-        "name": folder.resolve().name,
+        "name": read_name(folder),
         "folder": str(folder),
         "facts": describe_fixed(rows, keys),
         "parameters": parameters,
@@ -64,6 +65,14 @@ def make_sweep(identity, folder, rows):
                  "strategies": [{"id": s, "label": label} for s, label in strategies],
                  "rows": [make_row(row, parameters, counters) for row in rows]},
     }
+
+
+def read_name(folder):
+    """What the sweep's description calls it; else the folder's name."""
+    try:
+        return read_plan(folder).name
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return folder.resolve().name
 
 
 def make_row(row, parameters, counters):
@@ -109,6 +118,6 @@ def describe_fixed(rows, swept):
     """What all cells share, as a sentence's part."""
     fixed = [f"{key.removeprefix(OPTION)} {rows[0][key]}" for key in rows[0]
              if (key in PARAMETERS or key.startswith(OPTION)) and key not in swept
-             and rows[0][key]]
+             and rows[0][key] and len({row[key] for row in rows}) == 1]
     cells = len({row["cell"] for row in rows})
     return f"{cells} cells; all with " + ", ".join(fixed)
