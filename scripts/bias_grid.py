@@ -4,7 +4,7 @@
 For each pair the session is replayed with Bool and Coh(B), interleaved, by `hlodbench run`; its
 result folder is kept in OUT and a pair that is already there is not run again, so that an
 interrupted grid goes on where it stopped. s = 0 gives B = mu whatever t is: it is run once. The
-table is also written as OUT/grid.csv.
+table is also written as OUT/grid.csv. For other parameters, and all cores, see scripts/sweep.
 """
 
 import argparse

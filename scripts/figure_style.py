@@ -11,6 +11,10 @@ COLUMN_MM, PAGE_MM = 85, 175  # widths in print, of a column and of a page
 MM_PER_INCH = 25.4
 LINE_CHARACTERS = 112  # of 8 points, that fit a page
 
+# What would differ from one time or version to the next is left out.
+METADATA = {"svg": {"Date": None}, "png": {"Software": None},
+            "pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
+
 matplotlib.use("Agg")
 matplotlib.rcParams.update({
     "font.family": ["DejaVu Sans", "sans-serif"],
@@ -70,7 +74,7 @@ def save_figure(figure, folder, name, formats, dpi):
     paths = []
     for kind in formats:
         path = os.path.join(folder, f"{name}.{kind}")
-        metadata = {"Date": None} if kind == "svg" else {"Software": None}
+        metadata = METADATA[kind]
         with write_atomically(path) as temporary:
             figure.savefig(temporary, format=kind, dpi=dpi, metadata=metadata)
         paths.append(path)

@@ -28,6 +28,7 @@ build_packages=(
 optional_packages=(libosmesa6-dev)
 test_packages=(
   libgtest-dev libgmock-dev python3-pytest python3-jsonschema zstd clang-format shellcheck
+  snakemake python3-yaml
   ffmpeg chromium chromium-driver python3-selenium poppler-utils
 )
 

@@ -140,8 +140,11 @@ class Run:
             return None
 
 
-def read_run(folder):
-    """Reads one result folder. Raises ResultError if it has no usable run.json."""
+def read_run(folder, frames=True):
+    """Reads one result folder; without `frames`, all but the frame logs, which are most of the work.
+
+    Raises ResultError if it has no usable run.json.
+    """
     folder = pathlib.Path(folder)
     path = folder / "run.json"
     data = _read_json(path)
@@ -156,7 +159,7 @@ def read_run(folder):
         run.note(f"{folder}: {missing['strategy']}, repetition {missing['repetition']}, is missing:"
                  " the run was interrupted")
     for case in data["cases"]:
-        run.cases.append(_read_case(run, case))
+        run.cases.append(_read_case(run, case, frames))
     _read_images(run)
     return run
 
@@ -170,12 +173,12 @@ def _read_json(path):
         raise ResultError(f"{path}: expected JSON: {error}") from None
 
 
-def _read_case(run, case):
+def _read_case(run, case, frames):
     columns = {}
     if case.get("error"):
         run.note(f"{run.folder}: {case['strategy']}, repetition {case['repetition']}, failed: "
                  f"{case['error']}")
-    elif case.get("csv"):
+    elif case.get("csv") and frames:
         columns = _read_frames(run, run.folder / case["csv"])
     return Case(case["strategy"], case.get("label") or case["strategy"], case["repetition"],
                 case.get("error"), case.get("summary"), columns)

@@ -7,13 +7,12 @@ finished cell, and an interrupted script goes on where it stopped.
 import csv
 import io
 import json
-import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import time
 
+import sweeping.cell
 from atomic_file import write_atomically
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -31,17 +30,12 @@ class CellFailed(BadInput):
 def run_cell(program, arguments, folder, name):
     """Runs `hlodbench run` with these arguments into `folder`. Raises CellFailed, which calls the
     cell `name`, if the run fails, and BadInput if there is no such program."""
-    partial = folder.with_name(f".{folder.name}.{os.getpid()}")
-    command = [program, "run", *arguments, "--out", partial]
     try:
-        code = subprocess.run([str(part) for part in command], check=False).returncode
-        if code != 0:
-            raise CellFailed(f"{name}: hlodbench ended with code {code}")
-        partial.rename(folder)
+        sweeping.cell.run_whole([program, "run", *arguments], folder)
+    except sweeping.cell.CellFailed as error:
+        raise CellFailed(f"{name}: {error}") from None
     except OSError as error:
         raise BadInput(f"{program}: cannot be run: {error.strerror}") from None
-    finally:
-        shutil.rmtree(partial, ignore_errors=True)
 
 
 def read_table(program, folder, strategies):

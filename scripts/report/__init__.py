@@ -6,5 +6,6 @@ quality       the table of PSNR
 environment   where and how each folder was measured
 series        counters by frame, for the plots
 pictures      pictures as data URIs, differences, worst regions
+sweeps        heat-maps of sweeps
 page          puts it all into one HTML file
 """

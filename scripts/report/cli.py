@@ -8,7 +8,7 @@ import sys
 from atomic_file import write_text_atomically
 from result_folder import ResultError, read_run
 
-from . import environment, pictures, program_table, quality, series
+from . import environment, pictures, program_table, quality, series, sweeps
 from .page import MissingLibrary, read_library, render_page
 from .values import format_count
 
@@ -20,7 +20,7 @@ MEGABYTE = 1_000_000
 DESCRIPTION = """\
 Makes one HTML file that shows result folders of `hlodbench run`: Table 1 beside the paper's values,
 PSNR, every counter over the frames, and the pictures of the frames that have some. It opens from
-disk and loads nothing: send it, keep it, print it."""
+disk and loads nothing: send it, keep it, print it. Folders of scripts/sweep give heat-maps."""
 
 EPILOG = """\
 A folder that is damaged or cut short is shown as far as it goes, and the report says what is
@@ -32,7 +32,7 @@ def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="report.py", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", metavar="DIR", nargs="+", type=pathlib.Path,
-                        help="result folder of `hlodbench run`")
+                        help="result folder of `hlodbench run`, or folder of scripts/sweep")
     parser.add_argument("--out", metavar="FILE", type=pathlib.Path,
                         help="the report (default: report.html in DIR; with several DIR, in the "
                         "folder that holds them all)")
@@ -111,10 +111,11 @@ def make_scene(index, name, run, embedded, table, paper):
     }
 
 
-def make_content(options, runs, problems):
+def make_content(options, runs, swept, problems):
     """The variables of the page."""
     paper = program_table.read_paper(ROOT / "results" / "paper_table1.json")
-    table = program_table.make_table(options.hlodbench, [run.folder for run in runs], paper)
+    table = (program_table.make_table(options.hlodbench, [run.folder for run in runs], paper)
+             if runs else program_table.Table())
     # Numbers and the page itself take about one megabyte.
     embedded, level = pictures.embed_all(runs, max(options.max_size - 1, 0.5) * MEGABYTE)
     scenes = [make_scene(i, *parts, table, paper)
@@ -122,13 +123,14 @@ def make_content(options, runs, problems):
     lines = problems + [p for run in runs for p in run.problems]
     lines += [p for p in table.problems if table.texts]
     return {
-        "title": ", ".join(dict.fromkeys(run.scene for run in runs)),
+        "title": ", ".join(dict.fromkeys([run.scene for run in runs] + [s["name"] for s in swept])),
         "environment": environment.make_environment(runs),
         "warnings": environment.collect_warnings(runs),
         "problems": lines,
         "table": table,
         "columns": program_table.COLUMNS,
         "scenes": scenes,
+        "sweeps": swept,
         "picture_lines": (pictures.describe_level(level, runs)
                           if any(e.uris for e in embedded) else []),
     }
@@ -145,11 +147,14 @@ def main(arguments=None):
         library = read_library(options.plot_library)
     except MissingLibrary as error:
         return fail(str(error))
-    runs, problems = read_all(options.folders)
-    if not runs:
+    folders = [folder for folder in options.folders if not sweeps.is_sweep(folder)]
+    runs, problems = read_all(folders)
+    swept, more = sweeps.read_sweeps([f for f in options.folders if f not in folders])
+    problems += more
+    if not runs and not swept:
         return fail("; ".join(problems))
     path = options.out or choose_output(options.folders)
-    content = make_content(options, runs, problems)
+    content = make_content(options, runs, swept, problems)
     text = render_page(library, content)
     try:
         write_text_atomically(path, text)
@@ -158,7 +163,8 @@ def main(arguments=None):
     pictures_of = [scene["data"]["pictures"] for scene in content["scenes"]]
     frames = sum(len(shown["frames"]) for shown in pictures_of if shown)
     count = len(content["problems"])
-    print(f"{path}: {len(runs)} results, {frames} frames with pictures, "
+    shown = f"{len(runs)} results, " + (f"{len(swept)} sweeps, " if swept else "")
+    print(f"{path}: {shown}{frames} frames with pictures, "
           f"{len(text.encode()) / MEGABYTE:.1f} MB"
           + (f"; {count} problems, which it lists" if count else ""), file=sys.stderr)
     return 0

@@ -10,10 +10,10 @@ import jinja2
 from markupsafe import Markup
 
 PAGE_FOLDER = pathlib.Path(__file__).resolve().parent / "page"
-STYLES = ("base.css", "tables.css", "scene.css", "print.css")
+STYLES = ("base.css", "tables.css", "scene.css", "sweep.css", "print.css")
 # In the order in which they build on one another.
 SCRIPTS = ("dom.js", "data.js", "theme.js", "copy.js", "plot.js", "compare.js", "viewer.js",
-           "scene.js", "print.js", "main.js")
+           "scene.js", "sweep.js", "print.js", "main.js")
 
 
 class MissingLibrary(Exception):

@@ -2,6 +2,7 @@
 
 const scenes = [...document.querySelectorAll("section.scene")].map((section) => new Scene(section));
 let active = scenes[0];
+for (const section of document.querySelectorAll("section.sweep")) new Sweep(section);
 
 for (const scene of scenes)
   for (const event of ["pointerdown", "focusin"])
