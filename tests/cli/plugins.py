@@ -27,7 +27,8 @@ constexpr OptionInfo kOptions[] = {
 
 class Faulty final : public Predictor {
  public:
-  explicit Faulty(const OptionValues& own) : fault_(own.choice("fault")), frame_(own.integer("frame")) {
+  explicit Faulty(const OptionValues& own)
+      : fault_(own.choice("fault")), frame_(own.integer("frame")) {
     if (fault_ == "make") std::abort();
     if (fault_ == "throwmade") throw std::runtime_error("cannot be made");
   }
@@ -66,7 +67,8 @@ HLODBENCH_PLUGIN(faulty, DESCRIBE("faulty"), DESCRIBE("faulty-throw"), DESCRIBE(
                  DESCRIBE("faulty-make"), DESCRIBE("faulty-remove"));
 """
 
-# A whole strategy: stop-and-wait, as SW(B) but by the means of a plug-in, which goes wrong in a frame if told so.
+# A whole strategy: stop-and-wait, as SW(B) but by the means of a plug-in, which goes wrong in a frame
+# if told so.
 WHOLE = r"""
 #include <hlodbench/plugin.h>
 
