@@ -41,7 +41,7 @@ bool explainFrames(const Hierarchy& hierarchy, Renderer& renderer, const Session
     const FrameDecisions& frame = decisions[i];
     const auto index = static_cast<std::size_t>(frame.frame);
     FrameRecord& record = records.at(index);
-    if (record.has(Counter::kQueries))
+    if (record.has(Counter::kQueries) && !frame.predictions.empty())
       storePredictions(judgePredictions(hierarchy, frame.predictions, recording.frames.at(index)),
                        record);
     const Camera camera = makeCamera(session.lens, session.poses.at(index));

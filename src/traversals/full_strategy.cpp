@@ -10,9 +10,7 @@ class LeafTraversal final : public UnqueriedTraversal {
   using UnqueriedTraversal::UnqueriedTraversal;
 
  private:
-  [[nodiscard]] bool stopsAt(NodeId node) const override {
-    return view().node(node).isLeaf();
-  }
+  [[nodiscard]] bool stopsAt(NodeId node) const override { return view().node(node).isLeaf(); }
 };
 
 }  // namespace

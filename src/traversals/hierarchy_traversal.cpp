@@ -97,7 +97,8 @@ void HierarchyTraversal::issueQuery(NodeId node) {
 bool HierarchyTraversal::finishQuery(NodeId node) {
   NodeState& s = state(node);
   const std::uint32_t pixels = services_->getResult(node);
-  const double boxPixels = scene_.storePixels(node, pixels);
+  const double boxPixels = scene_.computeBoxPixels(node);
+  scene_.storePixels(node, pixels, boxPixels);
   const bool isDrawnAlready = s.stopRefinement && !s.delayed;  // predicted Stop
   if (pixels > 0) {
     pullUpVisibility(node);

@@ -15,15 +15,17 @@ namespace {
 class CheckedFrame final : public plugin::Frame {
  public:
   CheckedFrame(const Hierarchy& hierarchy, const TraversalOptions& options, Modulation modulation)
-      : scene_(hierarchy, options), modulation_(modulation), queried_(hierarchy.nodes.size(), -1) {}
+      : scene_(hierarchy, options), modulation_(modulation), queried_(hierarchy.nodes.size()) {}
 
   const plugin::FrameView& begin(const Camera& camera, FrameServices& services, Trace* trace) {
     scene_.beginFrame(camera);
     services_ = &services;
     trace_ = trace;
+    const int drawn = static_cast<int>(drawn_.size());
     drawn_.clear();
     wrong_.clear();
-    queries_ = visited_ = delays_ = delayedDrawn_ = 0;
+    drawnInLastFrame_ = drawn;
+    queries_ = visited_ = delays_ = delayedDrawn_ = drawnAgain_ = 0;
     triangles_ = 0;
     return scene_.frame();
   }
@@ -32,6 +34,9 @@ class CheckedFrame final : public plugin::Frame {
     // an exception that the strategy caught
     if (!wrong_.empty()) throw std::logic_error(wrong_);
     record.set(Counter::kDn, static_cast<double>(drawn_.size()));
+    if (frame() > 0)
+      record.set(Counter::kFrontChange,
+                 static_cast<int>(drawn_.size()) + drawnInLastFrame_ - 2 * drawnAgain_);
     record.set(Counter::kRarn, countRefined());
     record.set(Counter::kQueries, queries_);
     record.set(Counter::kTriangles, static_cast<double>(triangles_));
@@ -43,6 +48,7 @@ class CheckedFrame final : public plugin::Frame {
   void draw(NodeId node) override {
     NodeState& s = takeUp(node, "draw");
     if (s.lastRendered == frame()) fail(fmt::format("drew node {} twice", node));
+    if (s.lastRendered == frame() - 1) ++drawnAgain_;
     s.lastRendered = frame();
     s.stopRefinement = true;
     if (s.delayed) ++delayedDrawn_;
@@ -54,8 +60,8 @@ class CheckedFrame final : public plugin::Frame {
 
   void issueQuery(NodeId node) override {
     takeUp(node, "query");
-    if (isQueried(node)) fail(fmt::format("queried node {} twice", node));
-    queried_[node] = frame();
+    if (queried_[node].frame == frame()) fail(fmt::format("queried node {} twice", node));
+    queried_[node] = {frame(), scene_.computeBoxPixels(node)};
     ++queries_;
     note({TraceEvent::Type::kQuery, node});
     services_->issueQuery(node);
@@ -69,7 +75,8 @@ class CheckedFrame final : public plugin::Frame {
   std::uint32_t getResult(NodeId node) override {
     checkQueried(node);
     const std::uint32_t pixels = services_->getResult(node);
-    const double boxPixels = scene_.storePixels(node, pixels);
+    const double boxPixels = queried_[node].boxPixels;
+    scene_.storePixels(node, pixels, boxPixels);
     NodeState& s = scene_.state(node);
     s.bias = modulation_ == Modulation::kBias ? scene_.frame().computeBias(s.mu) : 1.0;
     s.visible = pixels > 0;
@@ -109,12 +116,9 @@ class CheckedFrame final : public plugin::Frame {
                        scene_.frame().nodeCount()));
   }
 
-  // Results are for the frame of their query.
-  [[nodiscard]] bool isQueried(NodeId node) const { return queried_[node] == frame(); }
-
   void checkQueried(NodeId node) {
     checkExists(node, "get the result of");
-    if (!isQueried(node))
+    if (queried_[node].frame < 0)
       fail(fmt::format("asked for the result of node {}, which was not queried", node));
   }
 
@@ -156,13 +160,19 @@ class CheckedFrame final : public plugin::Frame {
 
   SceneView scene_;
   Modulation modulation_;
-  std::vector<int> queried_;        // the frame in which each node was last queried
+  struct Query {
+    int frame = -1;          // the last in which the node was queried
+    double boxPixels = 1.0;  // that its box covered then
+  };
+  std::vector<Query> queried_;      // by node
   std::vector<NodeId> drawn_;       // in this frame, in order
   std::vector<std::size_t> order_;  // of each node in drawn_, from 1; 0 between frames
   std::string wrong_;               // what was ruled out in this frame, if anything
   FrameServices* services_ = nullptr;
   Trace* trace_ = nullptr;
   int queries_ = 0, visited_ = 0, delays_ = 0, delayedDrawn_ = 0;
+  int drawnAgain_ = 0;  // of drawn_: in the last frame, too
+  int drawnInLastFrame_ = 0;
   std::uint64_t triangles_ = 0;
   bool hasVisits_ = false, hasDelays_ = false;  // in any frame so far
 };

@@ -86,13 +86,15 @@ bool SceneView::isCutByNearPlane(NodeId node) const {
   return hlodbench::isCutByNearPlane(*camera_, box);
 }
 
-double SceneView::storePixels(NodeId node, std::uint32_t pixels) {
+double SceneView::computeBoxPixels(NodeId node) const {
   // the rasteriser and the analytic area may differ along the outline: a box under a pixel counts
   // as one, and mu is clamped
-  const double boxPixels = std::max(1.0, computeProjectedArea(node));
+  return std::max(1.0, computeProjectedArea(node));
+}
+
+void SceneView::storePixels(NodeId node, std::uint32_t pixels, double boxPixels) {
   states_[node].pixels = pixels;
   states_[node].mu = std::min(1.0, pixels / boxPixels);
-  return boxPixels;
 }
 
 }  // namespace hlodbench

@@ -31,9 +31,10 @@ class SceneView final : private plugin::ViewGeometry {
   [[nodiscard]] bool isInsideFrustum(NodeId node) const override;
   [[nodiscard]] bool isCutByNearPlane(NodeId node) const override;
 
-  // Takes a query's result into the node's state: pixels and mu. Returns the pixels that the box
-  // covers, at least 1.
-  double storePixels(NodeId node, std::uint32_t pixels);
+  // Pixels that the node's box covers in this frame, at least 1: the denominator of mu.
+  [[nodiscard]] double computeBoxPixels(NodeId node) const;
+  // Takes a query's result into the node's state: pixels and mu. boxPixels: those of its frame.
+  void storePixels(NodeId node, std::uint32_t pixels, double boxPixels);
 
  private:
   const Hierarchy& hierarchy_;

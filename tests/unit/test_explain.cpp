@@ -75,7 +75,10 @@ TEST_P(Explained, TheChangeOfTheFrontIsWhatIsInOneFrameOnly) {
   EXPECT_GT(total, 100);
 }
 
-TEST_P(Explained, AQueryIsWastedThatConfirmsAStop) {
+// Of strategies that predict node by node.
+class ExplainedPredictions : public Explained {};
+
+TEST_P(ExplainedPredictions, AQueryIsWastedThatConfirmsAStop) {
   int total = 0;
   bool asks = false;
   forFrames([&](const ScriptedRun& run, const TinyTree&, const ToldFrame& now, const ToldFrame&) {
@@ -90,7 +93,7 @@ TEST_P(Explained, AQueryIsWastedThatConfirmsAStop) {
   EXPECT_EQ(total > 0, asks && GetParam() != "sw-b");
 }
 
-TEST_P(Explained, ADelayIsRepeatedWhoseNodeIsSeenAndDecidedAsInTheLastFrame) {
+TEST_P(ExplainedPredictions, ADelayIsRepeatedWhoseNodeIsSeenAndDecidedAsInTheLastFrame) {
   int total = 0;
   forFrames(
       [&](const ScriptedRun& run, const TinyTree&, const ToldFrame& now, const ToldFrame& last) {
@@ -109,7 +112,7 @@ TEST_P(Explained, ADelayIsRepeatedWhoseNodeIsSeenAndDecidedAsInTheLastFrame) {
   }
 }
 
-TEST_P(Explained, EveryPredictionIsOneOfTheFour) {
+TEST_P(ExplainedPredictions, EveryPredictionIsOneOfTheFour) {
   PredictionCounts total;
   forFrames([&](const ScriptedRun& run, const TinyTree& tree, const ToldFrame& now,
                 const ToldFrame&) {
@@ -142,6 +145,8 @@ TEST_P(Explained, EveryPredictionIsOneOfTheFour) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Explained, testing::ValuesIn(listStrategyNames()),
+                         [](const auto& test) { return nameTest(test.param); });
+INSTANTIATE_TEST_SUITE_P(All, ExplainedPredictions, testing::ValuesIn(listPredictingNames()),
                          [](const auto& test) { return nameTest(test.param); });
 
 // Root 0, refined, over 1, refined, 2, drawn, and 3, hidden; each of these has two children. Of

@@ -169,7 +169,7 @@ TEST(PluginStrategy, IsRefusedWhatItsFrameRulesOut) {
   EXPECT_EQ(refuse([](Frame& f) { f.issueQuery(2), f.issueQuery(2); }), "queried node 2 twice");
   EXPECT_EQ(refuse([](Frame& f) { f.getResult(2); }),
             "asked for the result of node 2, which was not queried");
-  EXPECT_THAT(refuse([](Frame& f) { (void)f.isAvailable(1); }), HasSubstr("not queried"));
+  EXPECT_THAT(refuse([](Frame& f) { (void)f.isAvailable(2); }), HasSubstr("not queried"));
   EXPECT_EQ(refuse([](Frame& f) { f.draw(5); }), "asked to draw node 5; the hierarchy has 5 nodes");
   EXPECT_THAT(refuse([](Frame& f) { f.issueQuery(99); }), HasSubstr("query node 99"));
   EXPECT_THAT(refuse([](Frame& f) { f.getResult(99); }), HasSubstr("result of node 99"));

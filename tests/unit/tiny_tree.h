@@ -21,6 +21,16 @@ inline std::vector<std::string> listStrategyNames() {
   for (const StrategyInfo& info : listStrategies()) names.emplace_back(info.name);
   return names;
 }
+// A strategy that decides everything itself and tells nobody what it predicts.
+inline bool isWholePlugin(const StrategyInfo& info) {
+  return info.descriptor != nullptr && info.descriptor->makeStrategy != nullptr;
+}
+inline std::vector<std::string> listPredictingNames() {
+  std::vector<std::string> names;
+  for (const StrategyInfo& info : listStrategies())
+    if (!isWholePlugin(info)) names.emplace_back(info.name);
+  return names;
+}
 // What a test of a strategy is called, where names may have no hyphen.
 inline std::string nameTest(std::string strategy) {
   std::replace(strategy.begin(), strategy.end(), '-', '_');

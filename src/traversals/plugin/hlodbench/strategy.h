@@ -11,10 +11,11 @@ class Frame {
  public:
   // Draws the node's triangles; at most once a frame.
   virtual void draw(NodeId node) = 0;
-  // Starts an occlusion query on the node's box; at most one a frame.
+  // Starts an occlusion query on the node's box; at most one a frame. Its result may be asked for in
+  // this frame or a later one, until the node's next query replaces it.
   virtual void issueQuery(NodeId node) = 0;
   // True when getResult() would not have to wait. Costs little; may be asked repeatedly. Only after
-  // issueQuery() in this frame, as the next.
+  // issueQuery(), as the next.
   virtual bool isAvailable(NodeId node) = 0;
   // Pixels of the box that passed the depth test when the query was issued; waits if need be. Sets
   // the node's state: pixels, mu, bias, visible.
