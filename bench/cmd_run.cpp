@@ -139,7 +139,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
   sub->add_option("--session", o->session, "camera session (.json)")->required();
   sub->add_option("--out", o->out, "result folder; must be new or empty")->required();
   sub->add_option("--strategy", o->strategies,
-                  "strategies, see `hlodbench list`; comma-separated, or all")
+                  "strategies, see `hlodbench list`; comma-separated, or all: those of the program")
       ->delimiter(',')
       ->capture_default_str();
   sub->add_option("--set", o->settings,

@@ -70,6 +70,7 @@ std::vector<StrategyInfo> joinStrategies(
 
 std::span<const StrategyInfo> listStrategies() {
   static const std::vector<StrategyInfo> strategies = joinStrategies({
+      // one line a file: PLUGIN_FILE(name),
       PLUGIN_FILE(reuse_b),  // reuse_strategy.cpp
   });
   return strategies;

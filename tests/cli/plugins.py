@@ -122,7 +122,7 @@ class Whole final : public Strategy {
     if (fault_ == "twice") { frame.draw(0); frame.draw(0); }
     if (fault_ == "caught") { try { frame.draw(0); frame.draw(0); } catch (...) {} }
     if (fault_ == "unknown") frame.draw(12345678);
-    if (fault_ == "unqueried") (void)frame.getResult(1);
+    if (fault_ == "unqueried") (void)frame.getResult(160);
     if (fault_ == "requery") { frame.issueQuery(1); frame.issueQuery(1); }
     if (fault_ == "poll") {
       frame.issueQuery(1);

@@ -158,7 +158,7 @@ FAULTS = {
     "whole-twice": "frame 3: drew node 0 twice",
     "whole-caught": "frame 3: drew node 0 twice",
     "whole-unknown": f"frame 3: asked to draw node 12345678; the hierarchy has {NODES} nodes",
-    "whole-unqueried": "frame 3: asked for the result of node 1, which was not queried",
+    "whole-unqueried": "frame 3: asked for the result of node 160, which was not queried",
     "whole-requery": "frame 3: queried node 1 twice",
 }
 # These end the process.

@@ -11,8 +11,8 @@ class Frame {
  public:
   // Draws the node's triangles; at most once a frame.
   virtual void draw(NodeId node) = 0;
-  // Starts an occlusion query on the node's box; at most one a frame. Its result may be asked for in
-  // this frame or a later one, until the node's next query replaces it.
+  // Starts an occlusion query on the node's box; at most one a frame. Its result may be asked for
+  // in this frame or a later one, until the node's next query replaces it.
   virtual void issueQuery(NodeId node) = 0;
   // True when getResult() would not have to wait. Costs little; may be asked repeatedly. Only after
   // issueQuery(), as the next.
