@@ -21,10 +21,9 @@ class CheckedFrame final : public plugin::Frame {
     scene_.beginFrame(camera);
     services_ = &services;
     trace_ = trace;
-    const int drawn = static_cast<int>(drawn_.size());
+    drawnInLastFrame_ = static_cast<int>(drawn_.size());
     drawn_.clear();
     wrong_.clear();
-    drawnInLastFrame_ = drawn;
     queries_ = visited_ = delays_ = delayedDrawn_ = drawnAgain_ = 0;
     triangles_ = 0;
     return scene_.frame();
@@ -103,6 +102,11 @@ class CheckedFrame final : public plugin::Frame {
   }
 
  private:
+  struct Query {
+    int frame = -1;          // the last in which the node was queried
+    double boxPixels = 1.0;  // that its box covered then
+  };
+
   [[nodiscard]] int frame() const { return scene_.frame().frame(); }
 
   [[noreturn]] void fail(std::string what) {
@@ -160,10 +164,6 @@ class CheckedFrame final : public plugin::Frame {
 
   SceneView scene_;
   Modulation modulation_;
-  struct Query {
-    int frame = -1;          // the last in which the node was queried
-    double boxPixels = 1.0;  // that its box covered then
-  };
   std::vector<Query> queried_;      // by node
   std::vector<NodeId> drawn_;       // in this frame, in order
   std::vector<std::size_t> order_;  // of each node in drawn_, from 1; 0 between frames

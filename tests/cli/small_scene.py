@@ -104,3 +104,13 @@ def through_the_courtyard(frames):
         eye = (0.3 + 0.11 * i, 1.7, 19.6 - 0.31 * i)
         poses.append(look(eye, (eye[0] + 4 * math.sin(a), 1.5, eye[2] - 4 * math.cos(0.6 * a))))
     return poses
+
+
+def build_yard(hlodbench, folder, frames):
+    """A small courtyard's hierarchy of many nodes, and a session through it: their paths."""
+    hlod = folder / "yard.hlod"
+    session = write_session(folder / "walk.json", through_the_courtyard(frames))
+    scene = write_courtyard(folder / "yard.scene.json")
+    build = hlodbench("build", scene, "-o", hlod, "--max-triangles", "200")
+    assert build.returncode == 0, build.stderr
+    return hlod, session

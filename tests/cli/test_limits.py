@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from small_scene import through_the_courtyard, write_courtyard, write_session
+from small_scene import build_yard
 from trace_checker import Disagreement, Unsupported, check_trace
 
 LIMITS = ("oracle", "ideal", "none", "full")
@@ -25,11 +25,7 @@ class Yard:
     def __init__(self, hlodbench, folder):
         self.hlodbench = hlodbench
         self.folder = folder
-        self.hlod = folder / "yard.hlod"
-        self.session = write_session(folder / "walk.json", through_the_courtyard(FRAMES))
-        scene = write_courtyard(folder / "yard.scene.json")
-        build = hlodbench("build", scene, "-o", self.hlod, "--max-triangles", "200")
-        assert build.returncode == 0, build.stderr
+        self.hlod, self.session = build_yard(hlodbench, folder, FRAMES)
         self.info = folder / "info.json"
         self.info.write_text(hlodbench("info", "--json", self.hlod).stdout, encoding="utf-8")
         self.out = folder / "all"

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import pytest
-from small_scene import through_the_courtyard, write_courtyard, write_session
+from small_scene import build_yard
 from trace_checker import Disagreement, check_trace
 
 STRATEGIES = ("bool", "sw-b", "simp-b", "coh-b")
@@ -33,11 +33,7 @@ class Yard:
     def __init__(self, hlodbench, folder):
         self.hlodbench = hlodbench
         self.folder = folder
-        self.hlod = folder / "yard.hlod"
-        self.session = write_session(folder / "walk.json", through_the_courtyard(FRAMES))
-        scene = write_courtyard(folder / "yard.scene.json")
-        build = hlodbench("build", scene, "-o", self.hlod, "--max-triangles", "200")
-        assert build.returncode == 0, build.stderr
+        self.hlod, self.session = build_yard(hlodbench, folder, FRAMES)
         info = hlodbench("info", "--json", self.hlod)
         assert info.returncode == 0, info.stderr
         (folder / "info.json").write_text(info.stdout, encoding="utf-8")

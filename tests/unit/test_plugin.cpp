@@ -19,16 +19,6 @@ using testing::HasSubstr;
 const StrategyInfo kSample = describeStrategy(listStrategiesOf_sample().strategies[0]);
 const StrategyInfo kScript = describeStrategy(listStrategiesOf_sample().strategies[1]);
 
-// Root 0 over 1 and 2; 1 over the leaves 3 and 4.
-TinyTree makeTree() {
-  TinyTree tree;
-  tree.addChildren(0, 2);
-  tree.addChildren(1, 2);
-  tree.setSse(0, 8.0);
-  tree.setSse(1, 4.0);
-  return tree;
-}
-
 // Frames of one strategy, without GL.
 class PluginRun final : public FrameServices {
  public:
@@ -64,7 +54,7 @@ class PluginRun final : public FrameServices {
 
 // What the frame of a script is refused for; empty if it is not.
 std::string refuse(const std::function<void(Frame&)>& script) {
-  const TinyTree tree = makeTree();
+  const FiveNodes tree;
   PluginRun run(kScript, tree);
   sampleFrame = [](const FrameView&, Frame& frame) {
     frame.draw(0);  // of the frame before: forgotten
@@ -81,7 +71,7 @@ std::string refuse(const std::function<void(Frame&)>& script) {
 }
 
 TEST(PluginPredictor, DoesWhatTheSameOneInTheTreeDoes) {
-  const TinyTree tree = makeTree();
+  const FiveNodes tree;
   ScriptedRun ours(tree, "bool", 0);
   PluginRun run(kSample, tree);
   for (int frame = 0; frame < 3; ++frame) {
@@ -95,7 +85,7 @@ TEST(PluginPredictor, DoesWhatTheSameOneInTheTreeDoes) {
 }
 
 TEST(PluginPredictor, GetsTheValuesOfItsOptions) {
-  const TinyTree tree = makeTree();
+  const FiveNodes tree;
   OptionSet options(kSample.options);
   options.set("sample", "weight", "0.2");
   PluginRun run(kSample, tree, options.values());
@@ -108,7 +98,7 @@ TEST(PluginPredictor, GetsTheValuesOfItsOptions) {
 }
 
 TEST(PluginStrategy, IsCountedByTheProgram) {
-  TinyTree tree = makeTree();
+  FiveNodes tree;
   tree.setMu(2, 0.5);
   PluginRun run(kScript, tree);
   sampleFrame = [&](const FrameView& view, Frame& frame) {
@@ -153,7 +143,7 @@ TEST(PluginStrategy, IsCountedByTheProgram) {
 }
 
 TEST(PluginStrategy, CountsADrawnNodeOnceHoweverManyAreDrawnBelowIt) {
-  const TinyTree tree = makeTree();
+  const FiveNodes tree;
   PluginRun run(kScript, tree);
   sampleFrame = [](const FrameView&, Frame& frame) {
     for (const NodeId node : {0u, 1u, 3u, 4u, 2u}) frame.draw(node);

@@ -10,16 +10,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// Root 0 over 1 and 2; 1 over the leaves 3 and 4, 2 is a leaf.
-struct FiveNodes : TinyTree {
-  FiveNodes() {
-    addChildren(0, 2);
-    addChildren(1, 2);
-    setSse(0, 8.0);
-    setSse(1, 4.0);
-  }
-};
-
 TEST(PullUpReading, DecidesWhatAChildThatGoesOnSaysOfItsParent) {
   for (const PullUp reading : {PullUp::kRefine, PullUp::kDelay}) {
     FiveNodes tree;

@@ -12,17 +12,6 @@ using testing::HasSubstr;
 
 constexpr std::uint32_t kNever = 1000;  // draws: in a tiny tree a result comes only when waited for
 
-// Root 0 over 1 and 2; 1 over the leaves 3 and 4, 2 is a leaf. Wholly visible unless said
-// otherwise.
-struct FiveNodes : TinyTree {
-  FiveNodes() {
-    addChildren(0, 2);
-    addChildren(1, 2);
-    setSse(0, 8.0);
-    setSse(1, 4.0);
-  }
-};
-
 bool asksQueries(const ScriptedRun& run) {
   return run.record.has(Counter::kQueries);
 }

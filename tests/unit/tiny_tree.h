@@ -113,6 +113,17 @@ class InstantServices final : public FrameServices {
   const Camera& camera_;
 };
 
+// Root 0 over 1 and 2; 1 over the leaves 3 and 4, 2 is a leaf. Wholly visible unless said
+// otherwise.
+struct FiveNodes : TinyTree {
+  FiveNodes() {
+    addChildren(0, 2);
+    addChildren(1, 2);
+    setSse(0, 8.0);
+    setSse(1, 4.0);
+  }
+};
+
 // Renders frames of one strategy without GL and keeps the trace and the counters of the last one.
 class ScriptedRun final : public FrameServices {
  public:
