@@ -1,7 +1,6 @@
 #include <memory>
 
 #include "build_options.h"
-#include "byte_size.h"
 #include "choice.h"
 #include "commands.h"
 #include "hierarchy_store.h"
@@ -10,8 +9,10 @@
 #include "overlay.h"
 #include "plugin_option.h"
 #include "readings.h"
+#include "renderer_options.h"
 #include "run.h"
 #include "strategy_settings.h"
+#include "traversal_option.h"
 #include "traversals/plugin_library.h"
 
 namespace hlodbench {
@@ -23,33 +24,6 @@ std::vector<std::string> nameStrategies() {
   std::vector<std::string> names;
   for (const StrategyInfo& info : listStrategies()) names.emplace_back(info.name);
   return names;
-}
-
-void addTraversalOptions(CLI::App& sub, TraversalOptions& t) {
-  sub.add_option("--tau", t.tau, "pixels of error: refine while the error is above it; pixels, > 0")
-      ->capture_default_str()
-      ->check(makeNumberRange(1e-6, 1e6));
-  sub.add_option("--s", t.bias.s, "smoothness of the bias, 0 (B = mu) to 1 (sigmoid)")
-      ->capture_default_str()
-      ->check(makeNumberRange(0.0, 1.0));
-  sub.add_option("--t", t.bias.t, "turn-over point of the bias, 0 (conservative) to 1")
-      ->capture_default_str()
-      ->check(makeNumberRange(0.0, 1.0));
-  sub.add_option("--exponent", t.bias.exponent,
-                 "steepness of the sigmoid (reconstruction), 1 to 100")
-      ->capture_default_str()
-      ->check(makeNumberRange(1.0, 100.0));
-  addChoice<StaleChildren>(
-      sub, "--stale-children", t.staleChildren,
-      {{"skip", StaleChildren::kSkip}, {"literal", StaleChildren::kLiteral}},
-      "children not visited in the last frame: skip them, or read Fig. 3 literally");
-  addChoice<ZeroPixels>(sub, "--zero-pixels", t.zeroPixels,
-                        {{"zero", ZeroPixels::kZeroBias}, {"literal", ZeroPixels::kLiteral}},
-                        "bias of a node that passes no pixel: zero, or Fig. 2 literally");
-  addChoice<SimpEstimate>(
-      sub, "--simp", t.simpEstimate,
-      {{"last", SimpEstimate::kLastProcessed}, {"mean", SimpEstimate::kRunningMean}},
-      "Simp(B), a reconstruction: bias of the last node processed, or their mean");
 }
 
 void addPictureOptions(CLI::App& sub, RunOptions& o) {
@@ -104,23 +78,6 @@ void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
       ->check(makeNumberRange(0.0, kLargestSeed));
 }
 
-void addMemoryOption(CLI::App& sub, RunOptions& o) {
-  sub.add_option_function<std::string>(
-         "--gpu-memory",
-         [&o](const std::string& text) {
-           const auto bytes = parseByteSize(text);
-           if (!bytes && text != "unlimited")
-             throw InputError(fmt::format(
-                 "--gpu-memory: expected a number of bytes like 256M, or unlimited, found '{}'",
-                 text));
-           o.gpuMemory = bytes.value_or(kUnlimitedMemory);
-         },
-         "for the geometry of nodes, bytes, with K, M or G: nodes come from the file when they are "
-         "wanted, and those not drawn for the longest time go; until they are there, an ancestor "
-         "is drawn. Where it is too small for all nodes, more than 1G is taken as 1G")
-      ->default_str("unlimited");
-}
-
 std::string describeStrategyOptions(const std::vector<std::filesystem::path>& plugins) {
   std::string text;
   for (const StrategyInfo& info : listStrategies(plugins)) text += describeOptions(info);
@@ -152,7 +109,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
       ->capture_default_str()
       ->check(makeNumberRange(0.0, 86400.0));
   sub->footer([o] { return describeStrategyOptions(o->plugins); });
-  addMemoryOption(*sub, *o);
+  addMemoryOption(*sub, o->gpuMemory);
   sub->add_option("--context", o->context, "auto, egl or osmesa")->capture_default_str();
   sub->add_option("--size", o->size, "viewport WIDTHxHEIGHT, pixels (default: the session's)");
   addMeasuringOptions(*sub, *o);
@@ -167,11 +124,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
       ->capture_default_str();
   sub->add_flag("--gl-debug", o->glDebug, "stop at every OpenGL error (on in debug builds)");
   addPresetOption(*sub, o->preset);
-  addChoice<FaceCulling>(
-      *sub, "--faces", o->faces,
-      {{"both", FaceCulling::kNone}, {"front", FaceCulling::kBackWhereConsistent}},
-      "faces drawn; front: back faces are left out where the input is consistently wound (the "
-      "full-resolution pictures always have both)");
+  addFacesOption(*sub, o->faces);
   addBuildOptions(*sub, o->build);
   sub->callback([o, arguments, sub] {
     refuseBuildOptions(*sub, o->scene);

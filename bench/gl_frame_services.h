@@ -4,6 +4,7 @@
 
 #include "hlod/query/query_source.h"
 #include "hlod/render/renderer.h"
+#include "metrics/counters.h"
 #include "traversals/frame_services.h"
 
 namespace hlodbench {
@@ -14,6 +15,14 @@ struct ServiceTimes {
   double query = 0.0;  // issuing queries and asking whether they are done
   double wait = 0.0;   // getting results
 };
+
+// strategyMs: of the strategy's frame, milliseconds, these included.
+inline void storeServiceTimes(const ServiceTimes& times, double strategyMs, FrameRecord& record) {
+  record.set(Counter::kWaitMs, times.wait);
+  record.set(Counter::kDrawMs, times.draw);
+  record.set(Counter::kQueryMs, times.query);
+  record.set(Counter::kTraversalMs, strategyMs - times.draw - times.query - times.wait);
+}
 
 // Joins a renderer and a query source to what a strategy asks for, and times it.
 class GlFrameServices final : public FrameServices {

@@ -22,13 +22,6 @@ double readThreadCpuMs() {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-void storeTimes(const ServiceTimes& times, double strategyMs, FrameRecord& record) {
-  record.set(Counter::kWaitMs, times.wait);
-  record.set(Counter::kDrawMs, times.draw);
-  record.set(Counter::kQueryMs, times.query);
-  record.set(Counter::kTraversalMs, strategyMs - times.draw - times.query - times.wait);
-}
-
 void storeGpuTime(GpuTimer& timer, std::vector<FrameRecord>& records, bool drain) {
   if (const auto reading = timer.read(drain))
     records[reading->frame].set(Counter::kGpuMs, reading->milliseconds);
@@ -70,7 +63,7 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     renderer.beginFrame(camera);
     const auto strategyStart = Clock::now();
     strategy.renderFrame(camera, services, record, isTraced ? &trace : nullptr);
-    storeTimes(services.takeTimes(), computeMs(Clock::now() - strategyStart), record);
+    storeServiceTimes(services.takeTimes(), computeMs(Clock::now() - strategyStart), record);
     storeResidency(renderer, record);
     timer.endFrame();
     record.set(Counter::kCpuMs, readThreadCpuMs() - cpuStart);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 
 #include "case_plan.h"
@@ -26,6 +25,7 @@
 #include "strategy_settings.h"
 #include "trace_file.h"
 #include "traversals/plugin_library.h"
+#include "viewport_size.h"
 
 namespace hlodbench {
 namespace {
@@ -37,20 +37,6 @@ constexpr bool kDebugBuild = true;
 #endif
 
 constexpr const char* kNotedFronts = "fronts.tmp";  // only while a run goes on
-
-constexpr int kMaxViewport = 16384;  // what OpenGL implementations commonly allow
-
-void applySize(const std::string& size, Lens& lens) {
-  if (size.empty()) return;
-  const char* end = size.data() + size.size();
-  const auto width = std::from_chars(size.data(), end, lens.width);
-  const bool hasX = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-  const auto height = std::from_chars(hasX ? width.ptr + 1 : end, end, lens.height);
-  if (!hasX || height.ec != std::errc() || height.ptr != end || lens.width < 1 || lens.height < 1 ||
-      lens.width > kMaxViewport || lens.height > kMaxViewport)
-    throw InputError(
-        fmt::format("--size: expected WIDTHxHEIGHT, each 1 to {}, found '{}'", kMaxViewport, size));
-}
 
 std::uint64_t hashText(const std::string& text) {
   return computeHash(std::as_bytes(std::span(text)));
