@@ -40,7 +40,8 @@ bool isUpToDate(const std::filesystem::path& file, std::uint64_t sceneHash,
 }  // namespace
 
 StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
-                             const std::filesystem::path& file, const BuildOptions& options) {
+                             const std::filesystem::path& file, const BuildOptions& options,
+                             const Progress& onProgress) {
   const std::uint64_t sceneHash = computeSceneHash(scenePath);
   const std::string optionText = canonicalOptions(options);
   StoredHierarchy stored;
@@ -61,18 +62,21 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
   ProgressLine line("building " + stored.sceneName);
   // reading takes the small first part of the time
   constexpr double kReading = 0.1;
-  const std::unique_ptr<TriangleSource> scene = openScene(
-      scenePath, options.memory > 0 ? MeshPlace::kFile : MeshPlace::kMemory,
-      [&](const std::string& stage, double share) { line.update(stage, kReading * share); });
+  const auto report = [&](const std::string& stage, double share) {
+    if (isInterrupted()) throw InputError(fmt::format("{}: not built: interrupted", file.string()));
+    line.update(stage, share);
+    if (onProgress) onProgress(stage, share);
+  };
+  const std::unique_ptr<TriangleSource> scene =
+      openScene(scenePath, options.memory > 0 ? MeshPlace::kFile : MeshPlace::kMemory,
+                [&](const std::string& stage, double share) { report(stage, kReading * share); });
   BuildOptions local = options;
   local.temporaryFolder = file.parent_path().empty() ? "." : file.parent_path();
   stored.report.emplace();
   HlodWriter writer(file);
   const BuiltTree tree =
       buildTree(*scene, local, writer, *stored.report, [&](const std::string& stage, double share) {
-        if (isInterrupted())
-          throw InputError(fmt::format("{}: not built: interrupted", file.string()));
-        line.update(stage, kReading + (1.0 - kReading) * share);
+        report(stage, kReading + (1.0 - kReading) * share);
       });
   Hierarchy hierarchy = makeHierarchy(tree);
   writer.finish(hierarchy, stored.info, sinkIds(tree));
@@ -82,10 +86,10 @@ StoredHierarchy buildOrReuse(const std::filesystem::path& scenePath,
 }
 
 StoredHierarchy openHierarchy(const std::filesystem::path& path,
-                              const std::filesystem::path& cacheFolder,
-                              const BuildOptions& options) {
+                              const std::filesystem::path& cacheFolder, const BuildOptions& options,
+                              const Progress& onProgress) {
   if (path.extension() != ".hlod")
-    return buildOrReuse(path, cacheFolder / cacheNameOf(path, options), options);
+    return buildOrReuse(path, cacheFolder / cacheNameOf(path, options), options, onProgress);
   StoredHierarchy stored;
   stored.sceneName = nameOf(path);
   stored.file = path;
