@@ -21,6 +21,14 @@ void flipRows(std::vector<T>& pixels, std::size_t row) {
 
 }  // namespace
 
+Image readFramebuffer(GLuint framebuffer, int width, int height) {
+  Image image{width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height)};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  flipRows(image.pixels, std::size_t{4} * width);
+  return image;
+}
+
 Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glBindRenderbuffer(GL_RENDERBUFFER, color_);
@@ -40,12 +48,12 @@ void Framebuffer::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
-Image Framebuffer::readColor() const {
-  Image image{width_, height_, std::vector<std::uint8_t>(std::size_t{4} * width_ * height_)};
+void Framebuffer::blit(GLuint target, int x, int y, int width, int height) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-  flipRows(image.pixels, std::size_t{4} * width_);
-  return image;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+  const bool isScaled = width != width_ || height != height_;
+  glBlitFramebuffer(0, 0, width_, height_, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT,
+                    isScaled ? GL_LINEAR : GL_NEAREST);
 }
 
 std::vector<float> Framebuffer::readDepth() const {

@@ -30,18 +30,22 @@ std::string getGlString(GLenum name) {
 std::unique_ptr<GlContext> make(const GlContextInfo& info, const GlContextOptions& options) {
   keepDriverMemory();
   std::unique_ptr<GlContext> context = info.make(options);
-  context->name = info.name;
-  context->vendor = getGlString(GL_VENDOR);
-  context->renderer = getGlString(GL_RENDERER);
-  context->version = getGlString(GL_VERSION);
-  if (!GLAD_GL_VERSION_3_3)
-    throw GlUnavailable(fmt::format("{}: expected OpenGL 3.3 core or later, found {}", info.name,
-                                    context->version));
-  if (options.debug) enableGlDebugOutput();
+  completeContext(*context, info.name, options);
   return context;
 }
 
 }  // namespace
+
+void completeContext(GlContext& context, std::string_view name, const GlContextOptions& options) {
+  context.name = name;
+  context.vendor = getGlString(GL_VENDOR);
+  context.renderer = getGlString(GL_RENDERER);
+  context.version = getGlString(GL_VERSION);
+  if (!GLAD_GL_VERSION_3_3)
+    throw GlUnavailable(
+        fmt::format("{}: expected OpenGL 3.3 core or later, found {}", name, context.version));
+  if (options.debug) enableGlDebugOutput();
+}
 
 std::span<const GlContextInfo> listContexts() {
   return kContexts;

@@ -38,4 +38,8 @@ std::span<const GlContextInfo> listContexts();
 // GlUnavailable, saying what was tried and what package is missing, when no context can be had.
 std::unique_ptr<GlContext> createContext(std::string_view name, const GlContextOptions& options);
 
+// For a context that was made current and had its functions loaded elsewhere, as that of a window:
+// fills in what is the same for every kind. Throws GlUnavailable for a version below 3.3.
+void completeContext(GlContext& context, std::string_view name, const GlContextOptions& options);
+
 }  // namespace hlodbench

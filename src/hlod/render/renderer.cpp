@@ -123,6 +123,11 @@ void Renderer::beginFrame(const Camera& camera, Shading shading) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+void Renderer::resize(int width, int height) {
+  if (width != framebuffer_.width() || height != framebuffer_.height())
+    framebuffer_ = Framebuffer(width, height);
+}
+
 void Renderer::setTint(const glm::vec3& color) {
   setState(State::kNodes);
   if (nodeProgram().tint >= 0) glUniform3fv(nodeProgram().tint, 1, glm::value_ptr(color));

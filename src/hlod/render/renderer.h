@@ -77,6 +77,14 @@ class Renderer {
   [[nodiscard]] Image readColor() const { return framebuffer_.readColor(); }
   // Of what was drawn since beginFrame().
   [[nodiscard]] DepthImage readDepth() const;
+  // Puts what was drawn into another framebuffer, see Framebuffer::blit().
+  void show(GLuint target, int x, int y, int width, int height) const {
+    framebuffer_.blit(target, x, y, width, height);
+  }
+  // Another size of the framebuffer, pixels, from the next beginFrame() on; results of queries that
+  // are under way still count pixels of the old one. Throws std::runtime_error when the driver
+  // refuses it.
+  void resize(int width, int height);
 
  private:
   enum class State { kNone, kNodes, kBoxes };

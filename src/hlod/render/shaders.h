@@ -79,6 +79,22 @@ layout(location = 0) in vec3 position;
 uniform mat4 viewProjection;
 void main() { gl_Position = viewProjection * vec4(position, 1.0); })";
 
+inline constexpr const char* kLineVertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 color;
+uniform mat4 viewProjection;
+flat out vec4 shade;
+void main() {
+  shade = color;
+  gl_Position = viewProjection * vec4(position, 1.0);
+})";
+
+inline constexpr const char* kLineFragment = R"(#version 330 core
+flat in vec4 shade;
+uniform float opacity;
+out vec4 fragment;
+void main() { fragment = vec4(shade.rgb, shade.a * opacity); })";
+
 inline constexpr const char* kBoxFragment = R"(#version 330 core
 void main() {})";
 
