@@ -196,6 +196,9 @@ class Runner {
     result_.environment =
         readEnvironment(arguments, {context_->vendor, context_->renderer, context_->version});
     result_.warnings = computeWarnings(result_.environment);
+    const std::string otherScene =
+        describeOtherScene(session_, stored_.sceneName, stored_.info.sceneHash);
+    if (!otherScene.empty()) result_.warnings.push_back(otherScene);
     for (const std::string& warning : result_.warnings)
       fmt::print(stderr, "warning: {}\n", warning);
     result_.scene = {stored_.sceneName,

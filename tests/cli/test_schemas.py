@@ -93,6 +93,13 @@ SESSION = {
     "far": 100,
     "frames": [[0, 0, 0, 0, 0, 0, 1]],
 }
+RECORDED = {
+    **SESSION,
+    "scene": {"name": "bunny", "hash": "0123456789abcdef"},
+    "up": [0, 1, 0],
+    "time_step_s": 0.02,
+    "made": "by hand",
+}
 KEYFRAMES = {
     "name": "k",
     "viewport": [640, 480],
@@ -105,9 +112,10 @@ KEYFRAMES = {
     ],
 }
 EXAMPLES = [("scene", SCENE), ("scene", COURTYARD), ("session", SESSION), ("keyframes", KEYFRAMES)]
+OPTIONAL = [("session", RECORDED)]
 
 
-@pytest.mark.parametrize("kind, content", EXAMPLES)
+@pytest.mark.parametrize("kind, content", EXAMPLES + OPTIONAL)
 def test_no_object_takes_an_unknown_key(kind, content):
     check = validator(kind)
     check.validate(content)
@@ -138,6 +146,13 @@ def test_no_object_takes_an_unknown_key(kind, content):
         ("session", SESSION, (), "viewport", [16385, 480]),
         ("session", SESSION, (), "fovy_rad", 3.2),
         ("session", SESSION, (), "near", 0),
+        ("session", RECORDED, (), "scene", "bunny"),
+        ("session", RECORDED, (), "scene", {"name": "bunny"}),
+        ("session", RECORDED, ("scene",), "name", ""),
+        ("session", RECORDED, ("scene",), "hash", "0123456789abcde"),
+        ("session", RECORDED, ("scene",), "hash", "0123456789ABCDEF"),
+        ("session", RECORDED, (), "time_step_s", 0),
+        ("session", RECORDED, (), "made", ""),
     ],
 )
 def test_a_wrong_value_is_refused(kind, content, path, key, value):

@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "hlod/core/error.h"
+#include "metrics/text_file.h"
 #include "session.h"
+#include "session_writer.h"
 
 namespace hlodbench {
 namespace {
@@ -93,7 +96,25 @@ TEST_F(SessionFile, NormalisesQuaternionsThatAreNearlyUnit) {
 TEST_F(SessionFile, TakesRemarksAsOptional) {
   json session = kGood;
   for (const char* key : {"up", "time_step_s", "made"}) session.erase(key);
-  EXPECT_EQ(read(session.dump()).poses.size(), 2u);
+  const Session without = read(session.dump());
+  EXPECT_EQ(without.poses.size(), 2u);
+  EXPECT_FALSE(without.up);
+  EXPECT_FALSE(without.scene);
+  EXPECT_EQ(without.timeStep, 0.0);
+  EXPECT_EQ(without.made, "");
+}
+
+TEST_F(SessionFile, KeepsRemarks) {
+  json session = kGood;
+  session["up"] = {0, 0, 2};
+  session["scene"] = {{"name", "bunny"}, {"hash", "0123456789abcdef"}};
+  const Session with = read(session.dump());
+  EXPECT_EQ(with.up, glm::dvec3(0, 0, 2));
+  EXPECT_EQ(with.timeStep, 0.0333);
+  EXPECT_EQ(with.made, "by hand");
+  ASSERT_TRUE(with.scene);
+  EXPECT_EQ(with.scene->name, "bunny");
+  EXPECT_EQ(with.scene->hash, "0123456789abcdef");
 }
 
 TEST_F(SessionFile, NamesThePlaceOfEachFault) {
@@ -112,6 +133,13 @@ TEST_F(SessionFile, NamesThePlaceOfEachFault) {
       {"/far", 0.02, "/far: expected a number above /near, which is 0.02, found 0.02"},
       {"/up", {0, 0, 0}, "/up: expected a direction that is not 0 0 0"},
       {"/time_step_s", -1, "/time_step_s: expected a number above 0, found -1"},
+      {"/scene", "bunny", "/scene: expected an object, found \"bunny\""},
+      {"/scene", {{"name", "a"}}, "/scene: the key \"hash\" is missing"},
+      {"/scene",
+       {{"name", "a"}, {"hash", "0123456789ABCDEF"}},
+       "/scene/hash: expected 16 hex digits in lower case, found \"0123456789ABCDEF\""},
+      {"/scene", {{"name", "a"}, {"hash", "0123"}}, "/scene/hash: expected 16 hex digits"},
+      {"/made", "", "/made: expected a text that is not empty"},
       {"/fps", 30, "/fps: unknown key; known are version, name"},
       {"/frames", json::array(), "/frames: expected an array of 1 or more entries, found []"},
       {"/frames/1", {1, 2, 3}, "/frames/1: expected an array of 7 entries, found [1,2,3]"},
@@ -146,6 +174,97 @@ TEST_F(SessionFile, ReadsTenThousandFrames) {
   json session = kGood;
   session["frames"] = std::vector<json>(10'000, {0.123456789, 1.6, -3.25, 0, 0.6, 0, 0.8});
   EXPECT_EQ(read(session.dump()).poses.size(), 10'000u);
+}
+
+// Writing
+
+TEST_F(SessionFile, IsLaidOutAsTheShippedOnes) {
+  Session session;
+  session.name = "walk \"1\"";
+  session.scene = {"bunny", "0123456789abcdef"};
+  session.lens = {640, 480, 0.87, 0.02, 100.0};
+  session.up = {0.0, 1.0, 0.0};
+  session.timeStep = 1.0 / 30.0;
+  session.made = "by hand";
+  session.poses = {{{0.1, -2.5, 3.0}, {0.8, 0.0, 0.6, 0.0}},
+                   {{1e-9, 1e9, 0.0}, {1.0, 0.0, 0.0, -0.0}}};
+  writeSession(path_, session);
+  EXPECT_EQ(readTextFile(path_), R"({
+  "version": 1,
+  "name": "walk \"1\"",
+  "scene": {"name": "bunny", "hash": "0123456789abcdef"},
+  "viewport": [640, 480],
+  "fovy_rad": 0.87,
+  "near": 0.02,
+  "far": 100.0,
+  "up": [0.0, 1.0, 0.0],
+  "time_step_s": 0.03333333333333333,
+  "made": "by hand",
+  "frames": [
+    [0.1, -2.5, 3.0, 0.0, 0.6, 0.0, 0.8],
+    [1e-09, 1000000000.0, 0.0, 0.0, 0.0, -0.0, 1.0]
+  ]
+}
+)");
+}
+
+TEST_F(SessionFile, ComesBackAsItWasWritten) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int round = 0; round < 20; ++round) {
+    Session session;
+    session.name = "round " + std::to_string(round) + " \xc3\xa4\n\"";
+    session.lens = {1 + round, 16384 - round, 0.1 + 0.1 * round, std::exp(normal(random)), 1e5};
+    if (round % 2 == 1) session.scene = {session.name, "00000000000000ff"};
+    if (round % 3 == 1) session.up = {normal(random), normal(random), normal(random)};
+    if (round % 4 == 1) session.timeStep = std::exp(normal(random));
+    if (round % 5 == 1) session.made = "somehow";
+    for (int i = 0; i <= 10 * round; ++i)
+      session.poses.push_back(
+          {{std::exp(9 * normal(random)), normal(random), -std::exp(-9 * normal(random))},
+           glm::normalize(
+               glm::dquat(normal(random), normal(random), normal(random), normal(random)))});
+    writeSession(path_, session);
+    const Session back = readSession(path_);
+    EXPECT_EQ(back.name, session.name);
+    EXPECT_EQ(back.lens.width, session.lens.width);
+    EXPECT_EQ(back.lens.height, session.lens.height);
+    EXPECT_EQ(back.lens.fovyRad, session.lens.fovyRad);
+    EXPECT_EQ(back.lens.nearPlane, session.lens.nearPlane);
+    EXPECT_EQ(back.lens.farPlane, session.lens.farPlane);
+    EXPECT_EQ(back.up, session.up);
+    EXPECT_EQ(back.timeStep, session.timeStep);
+    EXPECT_EQ(back.made, session.made);
+    ASSERT_EQ(back.scene.has_value(), session.scene.has_value());
+    if (back.scene) {
+      EXPECT_EQ(back.scene->name, session.scene->name);
+      EXPECT_EQ(back.scene->hash, session.scene->hash);
+    }
+    ASSERT_EQ(back.poses.size(), session.poses.size());
+    for (std::size_t i = 0; i < back.poses.size(); ++i) {
+      EXPECT_EQ(back.poses[i].position, session.poses[i].position);
+      EXPECT_EQ(back.poses[i].orientation, session.poses[i].orientation);
+    }
+  }
+}
+
+TEST_F(SessionFile, IsThereWholeOrNotAtAll) {
+  Session session;
+  session.name = "walk";
+  session.poses.resize(3);
+  EXPECT_THROW(writeSession(path_ / "no" / "folder.json", session), InputError);
+  EXPECT_FALSE(fs::exists(path_));
+}
+
+TEST(OtherScene, IsNamedWithBothHashes) {
+  Session session;
+  session.name = "walk";
+  EXPECT_EQ(describeOtherScene(session, "courtyard", 1), "");
+  session.scene = {"courtyard", "00000000000000ab"};
+  EXPECT_EQ(describeOtherScene(session, "whatever its name", 0xab), "");
+  EXPECT_EQ(describeOtherScene(session, "bunny", 0xabcdef0123456789),
+            "the session 'walk' was recorded in scene 'courtyard' (00000000000000ab), "
+            "this is 'bunny' (abcdef0123456789)");
 }
 
 }  // namespace hlodbench
