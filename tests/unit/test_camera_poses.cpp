@@ -70,11 +70,17 @@ TEST(CameraControl, FlyingToThePivotMovesItOnlyWhenThere) {
   input.seconds = 0.1;
   control.update(input, kLens);
   EXPECT_NEAR(glm::distance(control.pivot(), pivot), 0.0, 1e-9);
-  for (int i = 0; i < 3000; ++i) control.update(input, kLens);
+  const auto along = [&control] {
+    return glm::dot(control.pivot() - control.pose().position, forward(control.pose()));
+  };
+  for (int i = 0; i < 3000; ++i) {
+    control.update(input, kLens);
+    EXPECT_GT(along(), 0.1);
+  }
+  const glm::dvec3 ahead = control.pivot();
+  EXPECT_LT(along(), 5.0);
   control.setMode(CameraMode::kOrbit);
-  const glm::dvec3 toPivot = control.pivot() - control.pose().position;
-  EXPECT_GT(glm::dot(toPivot, forward(control.pose())), 0.1);
-  EXPECT_LT(glm::length(toPivot), 5.0);
+  EXPECT_EQ(control.pivot(), ahead);
 }
 
 // Going somewhere
@@ -111,6 +117,25 @@ TEST(CameraControl, GoesToAPoint) {
         EXPECT_LT(glm::length(toPoint), 4.0);
       EXPECT_EQ(control.mode(), mode);
     }
+}
+
+TEST(CameraControl, TurnsTheShortWayToAPoint) {
+  for (int i = 0; i < 24; ++i) {
+    CameraControl control = makeControl(CameraMode::kFly);
+    CameraInput input;
+    input.turn = {i * 100.0, 0};  // 24 of them are a whole turn
+    control.update(input, kLens);
+    control.goTo({2, 2, 12});
+    input = {};
+    input.seconds = 0.01;
+    double turned = 0.0;
+    while (control.isGoing()) {
+      const glm::dvec3 before = forward(control.pose());
+      control.update(input, kLens);
+      turned += std::acos(std::min(1.0, glm::dot(before, forward(control.pose()))));
+    }
+    EXPECT_LT(turned, 1.01 * glm::pi<double>());
+  }
 }
 
 TEST(CameraControl, GoesTheSameWayInAnyFrames) {

@@ -85,12 +85,18 @@ TEST(PosePath, AtAnyStepIsTheSamePath) {
   }
 }
 
-TEST(PosePath, KeepsTheLastPoseOfALongPath) {
-  // 1/60 and 1/25 are no exact doubles: an hour of 1/60 s is a whole number of 1/25 s all the same.
-  const std::vector<Pose> poses = moveEvenly(3600 * 60 + 1, kStep);
-  const std::vector<Pose> other = resamplePoses(poses, kStep, 1.0 / 25.0);
-  ASSERT_EQ(other.size(), 3600u * 25u + 1u);
-  EXPECT_TRUE(isSame(other.back(), poses.back()));
+// Steps such as 1/60 are no exact doubles: seconds are a whole number of them all the same.
+TEST(PosePath, KeepsTheLastPoseOfWholeSeconds) {
+  const std::vector<int> rates{24, 25, 30, 50, 60, 72, 90, 144};
+  for (const int seconds : {1, 7, 600})
+    for (const int from : rates) {
+      const std::vector<Pose> poses = moveEvenly(seconds * from + 1, 1.0 / from);
+      for (const int to : rates) {
+        const std::vector<Pose> other = resamplePoses(poses, 1.0 / from, 1.0 / to);
+        ASSERT_EQ(other.size(), static_cast<std::size_t>(seconds * to + 1)) << from << " " << to;
+        EXPECT_TRUE(isSame(other.back(), poses.back()));
+      }
+    }
 }
 
 // Smoothing

@@ -68,6 +68,12 @@ TEST(PoseSampler, AStretchThatGoesOnFromTheLastPoseDoesNotRepeatIt) {
   ASSERT_EQ(due.size(), 1u);
   expectNear(due[0], next, 1e-9);
 
+  // What was displayed last and not given out is no repetition.
+  const Pose displayed = moveEvenly(2.5 * kStep);
+  EXPECT_TRUE(sampler.add(7.0 + 1.5 * kStep, displayed).empty());
+  sampler.restart();
+  expectSame(sampler.add(8.0, displayed), {displayed});
+
   // From elsewhere it does begin with its first pose: also the second time.
   sampler.restart();
   expectSame(sampler.add(9.0, kBegin), {kBegin});
