@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 
 namespace hlodbench {
 namespace {
@@ -10,14 +12,23 @@ namespace {
 constexpr double kStepTolerance = 1e-9;
 constexpr double kWindow = 4.0;  // sigmas to either side; beyond, a weight is below 0.0004
 
+// As far beyond the path's end as the pose is before it.
+Pose mirror(const Pose& end, const Pose& pose) {
+  return {2.0 * end.position - pose.position,
+          end.orientation * glm::conjugate(pose.orientation) * end.orientation};
+}
+
 }  // namespace
 
 Pose interpolatePose(const Pose& a, const Pose& b, double share) {
   if (share <= 0.0) return a;
   if (share >= 1.0) return b;
   Pose pose;
-  pose.position = glm::mix(a.position, b.position, share);
-  pose.orientation = glm::normalize(glm::slerp(a.orientation, b.orientation, share));
+  // Written so that equal poses give the same bit by bit.
+  pose.position = a.position + share * (b.position - a.position);
+  pose.orientation = a.orientation == b.orientation
+                         ? a.orientation
+                         : glm::normalize(glm::slerp(a.orientation, b.orientation, share));
   return pose;
 }
 
@@ -45,36 +56,38 @@ std::vector<Pose> resamplePoses(std::span<const Pose> poses, double fromStep, do
 
 std::vector<Pose> smoothPoses(std::span<const Pose> poses, double step, double sigma) {
   std::vector<Pose> smoothed(poses.begin(), poses.end());
-  if (!(sigma > 0.0)) return smoothed;
-  const std::size_t count = poses.size();
-  // No wider than the path, whatever sigma is.
-  const auto reach = static_cast<std::size_t>(
-      std::min(std::ceil(kWindow * sigma / step), static_cast<double>(count)));
-  std::vector<double> weights(reach + 1);
-  for (std::size_t k = 0; k <= reach; ++k) {
+  if (!(sigma > 0.0) || poses.size() < 3) return smoothed;
+  const auto last = static_cast<std::ptrdiff_t>(poses.size()) - 1;
+  // No wider than the path, whatever sigma is: then one mirror at each end is enough.
+  const auto reach = static_cast<std::ptrdiff_t>(
+      std::min(std::ceil(kWindow * sigma / step), static_cast<double>(last)));
+  std::vector<double> weights;
+  for (std::ptrdiff_t k = 0; k <= reach; ++k) {
     const double distance = static_cast<double>(k) * step / sigma;
-    weights[k] = std::exp(-0.5 * distance * distance);
+    weights.push_back(std::exp(-0.5 * distance * distance));
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t window = std::min({reach, i, count - 1 - i});
-    if (window == 0) continue;
-    const glm::dquat& middle = poses[i].orientation;
-    glm::dvec3 position = weights[0] * poses[i].position;
-    glm::dquat orientation = weights[0] * middle;
-    double sum = weights[0];
-    const auto add = [&](const Pose& pose, double weight) {
-      position += weight * pose.position;
+  const auto at = [&](std::ptrdiff_t i) {
+    if (i < 0) return mirror(poses.front(), poses[static_cast<std::size_t>(-i)]);
+    if (i > last) return mirror(poses.back(), poses[static_cast<std::size_t>(2 * last - i)]);
+    return poses[static_cast<std::size_t>(i)];
+  };
+  for (std::ptrdiff_t i = 1; i < last; ++i) {
+    Pose& pose = smoothed[static_cast<std::size_t>(i)];
+    const glm::dquat middle = pose.orientation;
+    glm::dvec3 position{0.0};
+    glm::dquat orientation{0.0, 0.0, 0.0, 0.0};
+    double sum = 0.0;
+    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
+      const Pose neighbour = at(i + k);
+      const double weight = weights[static_cast<std::size_t>(std::abs(k))];
       // q and -q turn alike: the one on the middle's side, so that the sum is never near 0
-      const double sign = glm::dot(pose.orientation, middle) < 0.0 ? -1.0 : 1.0;
-      orientation = orientation + sign * weight * pose.orientation;
+      const double sign = glm::dot(neighbour.orientation, middle) < 0.0 ? -1.0 : 1.0;
+      position += weight * neighbour.position;
+      orientation = orientation + sign * weight * neighbour.orientation;
       sum += weight;
-    };
-    for (std::size_t k = 1; k <= window; ++k) {
-      add(poses[i - k], weights[k]);
-      add(poses[i + k], weights[k]);
     }
-    smoothed[i].position = position / sum;
-    smoothed[i].orientation = glm::normalize(orientation);
+    pose.position = position / sum;
+    pose.orientation = glm::normalize(orientation);
   }
   return smoothed;
 }

@@ -17,10 +17,10 @@ Pose interpolatePose(const Pose& a, const Pose& b, double share);
 // one if the path is a whole number of the new steps long; what is left over of it is dropped.
 std::vector<Pose> resamplePoses(std::span<const Pose> poses, double fromStep, double toStep);
 
-// Every pose becomes the Gaussian weighted mean of its neighbours; step and sigma in seconds. The
-// window is as wide on both sides and narrows towards the ends, so the first and the last pose stay
-// where they are and a straight way at constant speed stays as it is. Quaternions stay unit.
-// sigma 0 returns the input.
+// Every pose becomes the Gaussian weighted mean of its neighbours; step and sigma in seconds.
+// Beyond its ends the path counts as mirrored through them, so the first and the last pose stay
+// where they are and a straight way at constant speed stays as it is. Quaternions stay unit. sigma
+// 0 returns the input.
 std::vector<Pose> smoothPoses(std::span<const Pose> poses, double step, double sigma);
 
 }  // namespace hlodbench
