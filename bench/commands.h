@@ -12,6 +12,7 @@ void addListCommand(CLI::App& app, const std::vector<std::string>& arguments);
 void addBuildCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments);
+void addViewCommand(CLI::App& app);
 void addTableCommand(CLI::App& app);
 void addBiasCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);

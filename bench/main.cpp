@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   addBuildCommand(app);
   addInfoCommand(app);
   addRunCommand(app, arguments);
+  addViewCommand(app);
   addTableCommand(app);
   addCompareCommand(app);
   addBiasCommand(app);

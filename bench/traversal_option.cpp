@@ -26,7 +26,7 @@ void addTraversalOptions(CLI::App& command, TraversalOptions& options) {
       command, "--stale-children", options.staleChildren,
       {{"skip", StaleChildren::kSkip}, {"literal", StaleChildren::kLiteral}},
       "children not visited in the last frame: skip them, or read Fig. 3 literally");
-  addChoice<ZeroPixels>(sub, "--zero-pixels", options.zeroPixels,
+  addChoice<ZeroPixels>(command, "--zero-pixels", options.zeroPixels,
                         {{"zero", ZeroPixels::kZeroBias}, {"literal", ZeroPixels::kLiteral}},
                         "bias of a node that passes no pixel: zero, or Fig. 2 literally");
   addChoice<SimpEstimate>(

@@ -22,6 +22,7 @@ build_packages=(
   python3 python3-glad python3-numpy python3-pil python3-matplotlib python3-jinja2 libjs-dygraphs
   libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   libglm-dev libopenmesh-dev libmeshoptimizer-dev libopenimageio-dev libimath-dev
+  libglfw3-dev libimgui-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev libxxhash-dev zlib1g-dev
 )
 # Installed along with the others where the system has them. OSMesa left Mesa with version 25.1.
@@ -30,6 +31,7 @@ test_packages=(
   libgtest-dev libgmock-dev python3-pytest python3-jsonschema zstd clang-format shellcheck
   snakemake python3-yaml
   ffmpeg chromium chromium-driver python3-selenium poppler-utils
+  xvfb xdotool
 )
 
 as_root() {
