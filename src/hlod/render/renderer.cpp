@@ -128,6 +128,12 @@ void Renderer::resize(int width, int height) {
     framebuffer_ = Framebuffer(width, height);
 }
 
+void Renderer::show(GLuint target, int x, int y, int width, int height) {
+  framebuffer_.blit(target, x, y, width, height);
+  setState(State::kNodes);  // boxes mask all writing
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
+}
+
 void Renderer::setTint(const glm::vec3& color) {
   setState(State::kNodes);
   if (nodeProgram().tint >= 0) glUniform3fv(nodeProgram().tint, 1, glm::value_ptr(color));
