@@ -202,6 +202,8 @@ void Viewer::recoverRecording(const std::filesystem::path& journal, bool keep) {
   attempt([&] {
     if (keep) {
       const Session session = recoverJournal(journal);
+      if (session.poses.empty())
+        throw InputError(fmt::format("{}: expected frames, found none", journal.string()));
       const std::filesystem::path wanted = journal.parent_path() / journal.stem();
       const std::filesystem::path file =
           std::filesystem::exists(wanted)
