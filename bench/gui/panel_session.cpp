@@ -80,7 +80,7 @@ void showPlayer(Viewer& viewer) {
     ImGui::SameLine();
     if (ImGui::Button("cut after")) viewer.cutRecording();
   }
-  ImGui::Checkbox("every frame, however long it takes", &player.everyFrame);
+  ImGui::Checkbox("every frame, none left out", &player.everyFrame);
 }
 
 }  // namespace
