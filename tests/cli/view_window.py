@@ -120,6 +120,11 @@ class View:
     def focus(self):
         self.xdotool("windowfocus", self.window)
 
+    def focus_nothing(self):
+        """Another window, which takes the keys, is asked for; it is the screen's root."""
+        (root,) = self.xdotool("search", "--maxdepth", 0, ".*").split()
+        self.xdotool("windowfocus", root)
+
     def xdotool(self, *arguments, check=True):
         result = subprocess.run(
             ["xdotool", *map(str, arguments)],
