@@ -53,7 +53,11 @@ Viewer::Viewer(const ViewOptions& given)
       lens(makeLens(given)) {
   fmt::print(stderr, "window: {}, OpenGL {}\n", window.renderer, window.version);
   load();
-  if (isOpen_) makeSceneParts();
+  if (!isOpen_) return;
+  makeSceneParts();
+  // for scripts, which may send keys from here on
+  fmt::print(stderr, "showing {}: {} triangles, {} nodes\n", stored.sceneName,
+             stored.hierarchy.inputTriangles, stored.hierarchy.nodes.size());
 }
 
 Viewer::~Viewer() = default;

@@ -50,18 +50,13 @@ glm::dvec2 computePixelRatio(GLFWwindow* window) {
   return outer.x > 0 && outer.y > 0 ? glm::dvec2(inner) / glm::dvec2(outer) : glm::dvec2(1.0);
 }
 
-glm::dvec2 readPointer(GLFWwindow* window) {
-  glm::dvec2 point;
-  glfwGetCursorPos(window, &point.x, &point.y);
-  return point * computePixelRatio(window);
-}
-
 }  // namespace
 
 struct Window::Callbacks {
-  static std::vector<WindowEvent>& events(GLFWwindow* window) {
-    return static_cast<Window*>(glfwGetWindowUserPointer(window))->events_;
+  static Window& of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
   }
+  static std::vector<WindowEvent>& events(GLFWwindow* window) { return of(window).events_; }
   static void onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
     events(window).push_back({.type = WindowEvent::Type::kKey,
                               .code = key,
@@ -74,11 +69,11 @@ struct Window::Callbacks {
                               .code = button,
                               .pressed = action == GLFW_PRESS,
                               .modifiers = modifiers,
-                              .point = readPointer(window)});
+                              .point = of(window).pointer_});
   }
   static void onPointer(GLFWwindow* window, double x, double y) {
-    events(window).push_back({.type = WindowEvent::Type::kPointer,
-                              .point = glm::dvec2(x, y) * computePixelRatio(window)});
+    of(window).pointer_ = glm::dvec2(x, y) * computePixelRatio(window);
+    events(window).push_back({.type = WindowEvent::Type::kPointer, .point = of(window).pointer_});
   }
   static void onWheel(GLFWwindow* window, double x, double y) {
     events(window).push_back({.type = WindowEvent::Type::kWheel, .point = {x, y}});

@@ -66,6 +66,9 @@ class Window final : public GlContext {
   GLFWwindow* window_ = nullptr;
   bool vsync_ = true;
   std::vector<WindowEvent> events_;
+  // Where the last event of it was: GLFW would tell where it is now, which a button pressed before
+  // has not been.
+  glm::dvec2 pointer_{0.0};
 };
 
 }  // namespace hlodbench
