@@ -49,13 +49,13 @@ class Viewer {
   void discardRecording();
   void cutRecording();  // after the frame that is shown
   void undoRecording();
-  void exportRecording();
   void recoverRecording(const std::filesystem::path& journal, bool keep);
   // Replaying
   void openSession(const std::filesystem::path& file);
   void showSession(Session session);  // whatever scene it is of
   void reviewRecording();             // what was recorded so far
   void closeSession();
+  void exportSession();  // that is shown: smoothed and at another rate, as a new file
   // What is written
   void keepPicture(bool withPanels);
   void compareFrame();
