@@ -346,7 +346,11 @@ void Viewer::obey(Command command) {
     case Command::kVsync:
       window.setVsync(!window.hasVsync());
       break;
+    case Command::kYes:
+      answerQuestion(true);
+      break;
     case Command::kEscape:
+      if (answerQuestion(false)) break;
       showsHelp = false;
       if (!player.empty()) closeSession();
       break;

@@ -51,6 +51,9 @@ class Viewer {
   void undoRecording();
   void exportRecording();
   void recoverRecording(const std::filesystem::path& journal, bool keep);
+  // The question that is asked, if one is. yes: by its first button, else: leaves all as it is.
+  // Returns whether one was.
+  bool answerQuestion(bool yes);
   // Replaying
   void openSession(const std::filesystem::path& file);
   void showSession(Session session);  // whatever scene it is of

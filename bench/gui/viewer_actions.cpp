@@ -214,6 +214,22 @@ void Viewer::recoverRecording(const std::filesystem::path& journal, bool keep) {
   });
 }
 
+bool Viewer::answerQuestion(bool yes) {
+  if (otherScenes) {
+    Session session = std::move(*otherScenes);
+    otherScenes.reset();
+    if (yes) showSession(std::move(session));
+    return true;
+  }
+  if (journals.empty()) return false;
+  const std::filesystem::path journal = journals.front();
+  if (yes)
+    recoverRecording(journal, true);
+  else
+    journals.erase(journals.begin());
+  return true;
+}
+
 void Viewer::openSession(const std::filesystem::path& file) {
   attempt([&] {
     Session session = readSession(file);
