@@ -88,14 +88,14 @@ class Screen:
 class View:
     """A running `hlodbench view`. Without a window manager the window is at the upper left."""
 
-    def __init__(self, screen, log, *arguments, environment=None):
+    def __init__(self, screen, log, *arguments):
         self.screen = screen
         self.log = log
         command = [os.environ["HLODBENCH_EXE"], "view", *map(str, arguments)]
         with log.open("w", encoding="utf-8") as stderr:
             self.process = subprocess.Popen(
                 command,
-                env={**screen.environment(), **(environment or {})},
+                env=screen.environment(),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=stderr,
@@ -255,11 +255,11 @@ def start(screen, tmp_path):
     """Starts the program on a small view: start(SCENE, ...) gives a View."""
     views = []
 
-    def start(*arguments, **options):
-        fixed = ["--size", f"{SIZE[0]}x{SIZE[1]}", "--no-vsync", "--folder", tmp_path]
+    def start(*arguments, folder=tmp_path):
+        fixed = ["--size", f"{SIZE[0]}x{SIZE[1]}", "--no-vsync", "--folder", folder]
         fixed += ["--cache", tmp_path / "cache"]
         log = tmp_path / f"stderr-{len(views)}.txt"
-        views.append(View(screen, log, *arguments, *fixed, **options))
+        views.append(View(screen, log, *arguments, *fixed))
         return views[-1]
 
     yield start
