@@ -101,7 +101,7 @@ class Viewer {
   [[nodiscard]] Area stageArea() const;
   [[nodiscard]] Camera currentCamera();
   [[nodiscard]] float panelWidth() const;
-  // Calls what may throw InputError, and tells the user.
+  // Calls what may throw InputError or fail in the file system, and tells the user.
   bool attempt(const std::function<void()>& action);
 
   Controls controls_;
