@@ -24,12 +24,14 @@ void addWindowOptions(CLI::App& sub, ViewOptions& o) {
       ->capture_default_str()
       ->check(makeNumberRange(10.0, 120.0));
   sub.add_flag("--no-vsync", o.noVsync, "do not wait for the screen's refresh");
-  sub.add_option("--frames", o.frames,
-                 "close the window after so many frames, for scripts; 0: when the user does")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1'000'000));
+  CLI::Option* frames =
+      sub.add_option("--frames", o.frames,
+                     "close the window after so many frames, for scripts; 0: when the user does")
+          ->capture_default_str()
+          ->check(CLI::Range(0, 1'000'000));
   sub.add_option("--picture", o.picture,
-                 "with --frames: keep the window's last frame, panels included, as a picture");
+                 "with --frames: keep the window's last frame, panels included, as a picture")
+      ->needs(frames);
   sub.add_flag("--gl-debug", o.glDebug, "stop at every OpenGL error");
 }
 

@@ -43,6 +43,8 @@ constexpr std::array kBindings{
     KeyBinding{GLFW_KEY_C, 0, Command::kReport},
     KeyBinding{GLFW_KEY_H, 0, Command::kPanel},
     KeyBinding{GLFW_KEY_Y, 0, Command::kVsync},
+    KeyBinding{GLFW_KEY_ENTER, kAny, Command::kYes},
+    KeyBinding{GLFW_KEY_KP_ENTER, kAny, Command::kYes},
     KeyBinding{GLFW_KEY_ESCAPE, kAny, Command::kEscape},
     KeyBinding{GLFW_KEY_Q, GLFW_MOD_CONTROL, Command::kQuit}};
 
@@ -71,6 +73,7 @@ constexpr std::array kHelp{
     KeyHelp{"Y", "wait for the screen's refresh (vsync), or do not"},
     KeyHelp{"H", "hide or show the panel"},
     KeyHelp{"? or F1", "these keys"},
+    KeyHelp{"Enter, Esc", "answer a question. Esc: leave the session that is replayed"},
     KeyHelp{"Ctrl+Q", "quit; what was recorded is saved"}};
 
 }  // namespace

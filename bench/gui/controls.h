@@ -39,6 +39,7 @@ enum class Command {
   kReport,
   kPanel,
   kVsync,
+  kYes,
   kEscape,
   kQuit
 };

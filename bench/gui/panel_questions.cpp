@@ -18,32 +18,36 @@ void beginInTheMiddle(const char* title) {
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse);
 }
 
+// A path may be wider than the window.
+void showText(const std::string& text) {
+  ImGui::PushTextWrapPos(0.8f * ImGui::GetIO().DisplaySize.x);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void askAboutOtherScene(Viewer& viewer) {
   const Session& session = *viewer.otherScenes;
   beginInTheMiddle("another scene's session");
-  ImGui::Text(
-      "%s: %s", session.name.c_str(),
-      describeOtherScene(session, viewer.stored.sceneName, viewer.stored.info.sceneHash).c_str());
-  const bool show = ImGui::Button("show it all the same");
+  showText(describeOtherScene(session, viewer.stored.sceneName, viewer.stored.info.sceneHash));
+  const bool show = ImGui::Button("show it all the same (Enter)");
   ImGui::SameLine();
-  const bool leave = ImGui::Button("leave it");
+  const bool leave = ImGui::Button("leave it (Esc)");
   ImGui::End();
-  if (show) viewer.showSession(std::move(*viewer.otherScenes));
-  if (show || leave) viewer.otherScenes.reset();
+  if (show || leave) viewer.answerQuestion(show);
 }
 
 void askAboutJournal(Viewer& viewer) {
   const std::filesystem::path journal = viewer.journals.front();
   beginInTheMiddle("an interrupted recording");
-  ImGui::Text("%s holds a recording that was interrupted.", journal.string().c_str());
-  const bool keep = ImGui::Button("save it as a session");
+  showText(fmt::format("{} holds a recording that was interrupted.", journal.string()));
+  const bool keep = ImGui::Button("save it as a session (Enter)");
   ImGui::SameLine();
   const bool discard = ImGui::Button("delete it");
   ImGui::SameLine();
-  const bool later = ImGui::Button("later");
+  const bool later = ImGui::Button("later (Esc)");
   ImGui::End();
-  if (keep || discard) viewer.recoverRecording(journal, keep);
-  if (later) viewer.journals.erase(viewer.journals.begin());
+  if (discard) viewer.recoverRecording(journal, false);
+  if (keep || later) viewer.answerQuestion(keep);
 }
 
 }  // namespace

@@ -159,18 +159,16 @@ bool Viewer::run() {
   if (!isOpen_) return true;
   catchInterrupts();
   lastTime_ = glfwGetTime();
-  while (true) {
+  // what cannot be saved is not thrown away: once more closes the window all the same
+  for (bool wasTold = false;; wasTold = true) {
     while (!window.isClosing() && !isInterrupted()) showFrame();
     finish();
-    // what cannot be saved is not thrown away: once more closes the window all the same
-    if (recorder->isSaved() || isInterrupted() || options.frames > 0) break;
+    if (recorder->isSaved() || isInterrupted() || options.frames > 0 || wasTold) break;
     messages.warn(
         "not saved: choose another file, or close the window again; the recording is "
         "also in " +
         nameJournal(recorder->file()).string());
     window.stayOpen();
-    while (!window.isClosing() && !isInterrupted()) showFrame();
-    break;
   }
   return recorder->isSaved();
 }
@@ -350,7 +348,11 @@ void Viewer::obey(Command command) {
     case Command::kVsync:
       window.setVsync(!window.hasVsync());
       break;
+    case Command::kYes:
+      answerQuestion(true);
+      break;
     case Command::kEscape:
+      if (answerQuestion(false)) break;
       showsHelp = false;
       if (!player.empty()) closeSession();
       break;

@@ -50,6 +50,9 @@ class Viewer {
   void cutRecording();  // after the frame that is shown
   void undoRecording();
   void recoverRecording(const std::filesystem::path& journal, bool keep);
+  // The question that is asked, if one is. yes: by its first button, else: leaves all as it is.
+  // Returns whether one was.
+  bool answerQuestion(bool yes);
   // Replaying
   void openSession(const std::filesystem::path& file);
   void showSession(Session session);  // whatever scene it is of
@@ -98,7 +101,7 @@ class Viewer {
   [[nodiscard]] Area stageArea() const;
   [[nodiscard]] Camera currentCamera();
   [[nodiscard]] float panelWidth() const;
-  // Calls what may throw InputError, and tells the user.
+  // Calls what may throw InputError or fail in the file system, and tells the user.
   bool attempt(const std::function<void()>& action);
 
   Controls controls_;

@@ -17,9 +17,10 @@ constexpr double kLeastFov = 0.1745, kMostFov = 2.0944;  // radians: 10 and 120 
 // FOLDER/NAME-1.EXTENSION, or the first number that is free.
 std::filesystem::path nameNew(const std::filesystem::path& folder, const std::string& name,
                               const std::string& extension) {
+  std::error_code ignored;  // what cannot be looked at cannot be written: that says why
   for (int number = 1;; ++number)
     if (auto path = folder / fmt::format("{}-{}{}", name, number, extension);
-        !std::filesystem::exists(path))
+        !std::filesystem::exists(path, ignored))
       return path;
 }
 
@@ -45,8 +46,10 @@ bool Viewer::attempt(const std::function<void()>& action) {
     return true;
   } catch (const InputError& error) {
     messages.warn(error.what());
-    return false;
+  } catch (const std::filesystem::filesystem_error& error) {
+    messages.warn(error.what());
   }
+  return false;
 }
 
 void Viewer::configurePanes(const PaneSettings& settings) {
@@ -214,6 +217,22 @@ void Viewer::recoverRecording(const std::filesystem::path& journal, bool keep) {
     }
     std::filesystem::remove(journal);
   });
+}
+
+bool Viewer::answerQuestion(bool yes) {
+  if (otherScenes) {
+    Session session = std::move(*otherScenes);
+    otherScenes.reset();
+    if (yes) showSession(std::move(session));
+    return true;
+  }
+  if (journals.empty()) return false;
+  const std::filesystem::path journal = journals.front();
+  if (yes)
+    recoverRecording(journal, true);
+  else
+    journals.erase(journals.begin());
+  return true;
 }
 
 void Viewer::openSession(const std::filesystem::path& file) {

@@ -8,7 +8,14 @@
 namespace hlodbench {
 namespace {
 constexpr double kJournalSeconds = 0.5;
+
+// What cannot be looked at, as in a folder whose name is too long, cannot be written either, and
+// that says why.
+bool isThere(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
 }
+}  // namespace
 
 SessionRecorder::SessionRecorder(Session header, std::filesystem::path file)
     : header_(std::move(header)),
@@ -86,7 +93,7 @@ Session SessionRecorder::makeSession() const {
 void SessionRecorder::save() {
   pause();
   if (recording_.empty()) return;
-  if (!ownsFile_ && std::filesystem::exists(file_))
+  if (!ownsFile_ && isThere(file_))
     throw InputError(
         fmt::format("{}: expected a new file for the session, found one", file_.string()));
   writeSession(file_, makeSession());
@@ -112,7 +119,7 @@ std::filesystem::path nameNewSession(const std::filesystem::path& folder, const 
   for (int number = 1;; ++number) {
     const std::string suffix = number == 1 ? "" : fmt::format("-{}", number);
     const std::filesystem::path file = folder / fmt::format("{}{}.session.json", name, suffix);
-    if (!std::filesystem::exists(file) && !std::filesystem::exists(nameJournal(file))) return file;
+    if (!isThere(file) && !isThere(nameJournal(file))) return file;
   }
 }
 

@@ -6,6 +6,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 
 import numpy as np
@@ -17,6 +18,26 @@ LIMIT = 120  # seconds until a test that waits in vain gives up
 SIZE = (320, 240)  # of the view, pixels
 PANEL = 310  # pixels of the window to the left of the view
 MIDDLE = (PANEL + SIZE[0] // 2, SIZE[1] // 2)  # of the view, in the window
+
+# Sends the message; xdotool of Debian 12 cannot. In a process of its own, for Xlib ends that at
+# errors.
+CLOSE = """
+import ctypes
+x = ctypes.CDLL("libX11.so.6")
+class Message(ctypes.Structure):
+    _fields_ = [("type", ctypes.c_int), ("serial", ctypes.c_ulong), ("sent", ctypes.c_int),
+                ("display", ctypes.c_void_p), ("window", ctypes.c_ulong),
+                ("message", ctypes.c_ulong), ("format", ctypes.c_int), ("data", ctypes.c_long * 5),
+                ("rest", ctypes.c_long * 24)]
+x.XOpenDisplay.restype = ctypes.c_void_p
+x.XInternAtom.restype = ctypes.c_ulong
+display = ctypes.c_void_p(x.XOpenDisplay(None))
+atom = lambda name: x.XInternAtom(display, name, 0)
+data = (ctypes.c_long * 5)(atom(b"WM_DELETE_WINDOW"))
+message = Message(33, 0, 1, display, {window}, atom(b"WM_PROTOCOLS"), 32, data)
+x.XSendEvent(display, ctypes.c_ulong({window}), 0, ctypes.c_long(0), ctypes.byref(message))
+x.XSync(display, 0)
+"""
 
 
 def wait_until(condition, what):
@@ -67,14 +88,14 @@ class Screen:
 class View:
     """A running `hlodbench view`. Without a window manager the window is at the upper left."""
 
-    def __init__(self, screen, log, *arguments, environment=None):
+    def __init__(self, screen, log, *arguments):
         self.screen = screen
         self.log = log
         command = [os.environ["HLODBENCH_EXE"], "view", *map(str, arguments)]
         with log.open("w", encoding="utf-8") as stderr:
             self.process = subprocess.Popen(
                 command,
-                env={**screen.environment(), **(environment or {})},
+                env=screen.environment(),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=stderr,
@@ -169,6 +190,12 @@ class View:
         wait_until(lambda: self.process.poll() is not None, "the end of the program")
         return self.process.returncode
 
+    def ask_to_close(self):
+        """As the button does that a window manager draws: by WM_DELETE_WINDOW."""
+        script = CLOSE.format(window=self.window)
+        command = [sys.executable, "-c", script]
+        subprocess.run(command, env=self.screen.environment(), check=True, timeout=LIMIT)
+
     def quit(self):
         self.press("ctrl+q")
         return self.wait_for_end()
@@ -228,11 +255,11 @@ def start(screen, tmp_path):
     """Starts the program on a small view: start(SCENE, ...) gives a View."""
     views = []
 
-    def start(*arguments, **options):
-        fixed = ["--size", f"{SIZE[0]}x{SIZE[1]}", "--no-vsync", "--folder", tmp_path]
+    def start(*arguments, folder=tmp_path):
+        fixed = ["--size", f"{SIZE[0]}x{SIZE[1]}", "--no-vsync", "--folder", folder]
         fixed += ["--cache", tmp_path / "cache"]
         log = tmp_path / f"stderr-{len(views)}.txt"
-        views.append(View(screen, log, *arguments, *fixed, **options))
+        views.append(View(screen, log, *arguments, *fixed))
         return views[-1]
 
     yield start
