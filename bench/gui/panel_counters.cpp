@@ -21,8 +21,9 @@ const CounterInfo& infoOf(Counter counter) {
 
 std::string format(double value) {
   if (std::isnan(value)) return "-";
+  if (value >= 1e5) return fmt::format("{:.0f}k", value / 1e3);
   const bool isWhole = value == std::round(value);
-  return isWhole || value >= 1000.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.2f}", value);
+  return isWhole || value >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.2f}", value);
 }
 
 void showTable(const Viewer& viewer) {
