@@ -166,7 +166,7 @@ bool Viewer::run() {
         nameJournal(recorder->file()).string());
     window.stayOpen();
   }
-  return recorder->isSaved();
+  return recorder->isSaved() && !isPictureMissing_;
 }
 
 void Viewer::finish() {
@@ -224,11 +224,12 @@ void Viewer::showFrame() {
   ++frames_;
   const bool isLast = options.frames > 0 && frames_ >= options.frames;
   if (wantsWindowPicture_ || (isLast && !options.picture.empty())) {
-    attempt([&] {
+    const bool isKept = attempt([&] {
       const std::filesystem::path file = wantsWindowPicture_ ? pictureFile_ : options.picture;
       writePicture(file, window.readPixels());
       messages.tell(fmt::format("wrote {}", file.string()));
     });
+    isPictureMissing_ = isLast && !isKept;
     wantsWindowPicture_ = false;
   }
   if (isLast) window.close();

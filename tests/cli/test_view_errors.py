@@ -126,6 +126,12 @@ def test_a_folder_that_cannot_be_written_to_is_told_of(start, relief, tmp_path, 
     assert view.quit() == 0, view.errors()
 
 
+def test_a_script_learns_that_its_picture_is_missing(view_command, relief, tmp_path):
+    picture = impossible(tmp_path, "below a file") / "picture.png"
+    result = view_command(relief, "--frames", "2", "--picture", picture)
+    complain(result, BAD_INPUT, picture)
+
+
 def test_a_recording_that_cannot_be_saved_is_kept(start, relief, tmp_path):
     """The file is there already when it is to be written: it may be another's."""
     file = tmp_path / "path.session.json"
