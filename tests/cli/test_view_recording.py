@@ -137,7 +137,7 @@ def test_review_cut_undo_and_save(start, relief, file, journal):
 
 
 def test_replaying_plays_to_the_end_and_escape_leaves(start, relief, tmp_path):
-    poses = [look((0.1 * i - 0.5, 0.2, 2.5), (0, 0, 0)) for i in range(10)]
+    poses = [look((0.05 * i - 1, 0.2, 2.5), (0, 0, 0)) for i in range(40)]
     session = write_session(tmp_path / "path.json", poses, size=(200, 120))
     view = start(relief, "--session", session).open()
     first = view.look()
@@ -147,8 +147,12 @@ def test_replaying_plays_to_the_end_and_escape_leaves(start, relief, tmp_path):
     assert (first != second).any()
     view.press("comma")
     assert (first == view.look()).all()
-    view.press("End", *["period"] * 20)
+    view.press(*["period"] * 45)
     last = view.look()
+    view.press("space", "space")  # it begins again, and stops soon
+    assert (last != view.look()).any()
+    view.press(*["period"] * 45)
+    assert (last == view.look()).all()
     view.press("comma", "space")  # on to the end, where it stops
     view.wait(lambda: (last == view.look()).all(), "the last frame")
     assert (last == view.look()).all()
