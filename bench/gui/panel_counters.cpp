@@ -21,7 +21,9 @@ const CounterInfo& infoOf(Counter counter) {
 
 std::string format(double value) {
   if (std::isnan(value)) return "-";
-  return value >= 1000.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.2f}", value);
+  if (value >= 1e5) return fmt::format("{:.0f}k", value / 1e3);
+  const bool isWhole = value == std::round(value);
+  return isWhole || value >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.2f}", value);
 }
 
 void showTable(const Viewer& viewer) {
@@ -29,6 +31,16 @@ void showTable(const Viewer& viewer) {
   if (!ImGui::BeginTable("counters", static_cast<int>(panes) * 2 + 1,
                          ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit))
     return;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  for (std::size_t i = 0; i < panes; ++i) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(std::string(viewer.stage->pane(i).info().label).c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("mean");
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("of the last %zu frames", CounterHistory::kFrames);
+  }
   for (const Counter counter : kShown) {
     const CounterInfo& info = infoOf(counter);
     ImGui::TableNextRow();
@@ -42,8 +54,6 @@ void showTable(const Viewer& viewer) {
       ImGui::TextUnformatted(format(record.get(counter)).c_str());
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s", format(viewer.history.mean(i, counter)).c_str());
-      if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("mean of the last %zu frames", CounterHistory::kFrames);
     }
   }
   ImGui::EndTable();

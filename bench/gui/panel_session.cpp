@@ -40,12 +40,16 @@ void showRecorder(Viewer& viewer) {
     ImGui::EndPopup();
   }
   ImGui::InputText("file", &viewer.recordPath);
+}
+
+// Of what is shown: the recording in review, or the session.
+void showExport(Viewer& viewer) {
   if (!ImGui::TreeNode("export")) return;
   ImGui::InputDouble("poses a second", &viewer.exportRate, 0.0, 0.0, "%g");
   ImGui::InputDouble("smooth, s", &viewer.exportSigma, 0.0, 0.0, "%g");
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("standard deviation of the Gaussian that poses are averaged with, seconds");
-  if (ImGui::Button("export a copy")) viewer.exportRecording();
+  if (ImGui::Button("export a copy")) viewer.exportSession();
   ImGui::TreePop();
 }
 
@@ -80,7 +84,8 @@ void showPlayer(Viewer& viewer) {
     ImGui::SameLine();
     if (ImGui::Button("cut after")) viewer.cutRecording();
   }
-  ImGui::Checkbox("every frame, however long it takes", &player.everyFrame);
+  ImGui::Checkbox("every frame, none left out", &player.everyFrame);
+  showExport(viewer);
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ constexpr LineDrawing::Color kCulledColor{90, 120, 255};
 constexpr LineDrawing::Color kFrustumColor{255, 210, 40};
 constexpr double kFrustumShare = 0.35;  // of the scene's size: how far the frustum is drawn
 
+constexpr int kGap = 2;  // between panes, pixels
+
 // The largest area of the aspect within another one, in its middle.
 Area fit(const Area& area, double aspect) {
   Area fitted = area;
@@ -66,8 +68,9 @@ void Stage::freeze() {
 }
 
 Area Stage::paneArea(const Area& whole, std::size_t i) const {
-  const int width = whole.width / static_cast<int>(panes_.size());
-  return {whole.x + static_cast<int>(i) * width, whole.y, width, whole.height};
+  const int count = static_cast<int>(panes_.size());
+  const int width = std::max(1, (whole.width - kGap * (count - 1)) / count);
+  return {whole.x + static_cast<int>(i) * (width + kGap), whole.y, width, whole.height};
 }
 
 Area Stage::pictureArea(const Area& whole, std::size_t i) const {

@@ -52,6 +52,10 @@ Viewer::Viewer(const ViewOptions& given)
       strategies(listStrategies(given.plugins)),
       lens(makeLens(given)) {
   fmt::print(stderr, "window: {}, OpenGL {}\n", window.renderer, window.version);
+  // the panel is as large as the monitor's density makes it, the view as was asked for
+  window.resize(
+      lens.width + static_cast<int>(kPanelWidth * static_cast<float>(window.contentScale())),
+      lens.height);
   load();
   if (!isOpen_) return;
   makeSceneParts();

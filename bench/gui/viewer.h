@@ -50,7 +50,6 @@ class Viewer {
   void discardRecording();
   void cutRecording();  // after the frame that is shown
   void undoRecording();
-  void exportRecording();
   void recoverRecording(const std::filesystem::path& journal, bool keep);
   // The question that is asked, if one is. yes: by its first button, else: leaves all as it is.
   // Returns whether one was.
@@ -60,6 +59,7 @@ class Viewer {
   void showSession(Session session);  // whatever scene it is of
   void reviewRecording();             // what was recorded so far
   void closeSession();
+  void exportSession();  // that is shown: smoothed and at another rate, as a new file
   // What is written
   void keepPicture(bool withPanels);
   void compareFrame();

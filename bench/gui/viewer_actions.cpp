@@ -181,19 +181,19 @@ void Viewer::undoRecording() {
     reviewRecording();
 }
 
-void Viewer::exportRecording() {
+void Viewer::exportSession() {
   attempt([&] {
     if (!(exportRate > 0.0) || !(exportSigma >= 0.0))
-      throw InputError("export: expected poses a second above 0, and 0 or more seconds");
-    Session session = recorder->makeSession();
-    session.poses = smoothPoses(session.poses, session.timeStep, exportSigma);
-    session.poses = resamplePoses(session.poses, session.timeStep, 1.0 / exportRate);
+      throw InputError(fmt::format(
+          "export: expected more than 0 poses a second and 0 or more seconds, found {:g} and {:g}",
+          exportRate, exportSigma));
+    Session session = player.session();
+    session.poses = smoothPoses(session.poses, player.timeStep(), exportSigma);
+    session.poses = resamplePoses(session.poses, player.timeStep(), 1.0 / exportRate);
     session.timeStep = 1.0 / exportRate;
-    session.made += fmt::format("; smoothed by {:g} s, resampled to {:g} poses a second",
-                                exportSigma, exportRate);
-    const std::filesystem::path file =
-        nameNewSession(std::filesystem::path(recordPath).parent_path(),
-                       recorder->file().stem().stem().string() + "-export");
+    session.made += fmt::format("{}smoothed by {:g} s, resampled to {:g} poses a second",
+                                session.made.empty() ? "" : "; ", exportSigma, exportRate);
+    const std::filesystem::path file = nameNewSession(options.folder, session.name + "-export");
     session.name = file.stem().stem().string();
     writeSession(file, session);
     messages.tell(fmt::format("wrote {}: {} frames", file.string(), session.poses.size()));
@@ -205,6 +205,8 @@ void Viewer::recoverRecording(const std::filesystem::path& journal, bool keep) {
   attempt([&] {
     if (keep) {
       const Session session = recoverJournal(journal);
+      if (session.poses.empty())
+        throw InputError(fmt::format("{}: expected frames, found none", journal.string()));
       const std::filesystem::path wanted = journal.parent_path() / journal.stem();
       const std::filesystem::path file =
           std::filesystem::exists(wanted)

@@ -153,8 +153,9 @@ void Window::setVsync(bool on) {
   glfwSwapInterval(on ? 1 : 0);
 }
 
-void Window::setTitle(const std::string& title) {
-  glfwSetWindowTitle(window_, title.c_str());
+void Window::resize(int width, int height) {
+  const glm::dvec2 outer = glm::dvec2(width, height) / computePixelRatio(window_);
+  glfwSetWindowSize(window_, static_cast<int>(outer.x), static_cast<int>(outer.y));
 }
 
 Image Window::readPixels() const {

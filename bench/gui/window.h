@@ -52,7 +52,7 @@ class Window final : public GlContext {
   void swap();
   void setVsync(bool on);
   [[nodiscard]] bool hasVsync() const { return vsync_; }
-  void setTitle(const std::string& title);
+  void resize(int width, int height);  // of its inside, pixels of the framebuffer
 
   // What is drawn and not shown yet. Other windows over it may leave holes.
   [[nodiscard]] Image readPixels() const;

@@ -18,6 +18,7 @@ class SessionPlayer {
 
   // These are for one that is not empty.
   [[nodiscard]] const Session& session() const { return session_; }
+  [[nodiscard]] double timeStep() const { return timeStep_; }  // seconds
   [[nodiscard]] std::size_t frame() const { return frame_; }
   [[nodiscard]] const Pose& pose() const { return session_.poses[frame_]; }
   // Both stop playing. What lies outside is taken to the first or the last frame.

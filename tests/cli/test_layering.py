@@ -15,7 +15,7 @@ PUBLIC = "src/traversals/plugin"
 
 GL = ("glad/", "gl/", "gles", "egl/", "khr/", "glx", "x11/", "glfw/", "epoxy/", "osmesa")
 
-# Folder under src -> what nothing in it may reach, compared in lower case with the start of an
+# Folder under src, or bench/... -> what nothing in it may reach, compared in lower case with the start of an
 # include and with the path of our own header under src/ or bench/.
 RULES = {
     "traversals": (*GL, "hlod/render/"),
@@ -25,6 +25,7 @@ RULES = {
     "hlod/tree": (*GL, "hlod/render/", "traversals/"),
     "hlod/view": (*GL, "hlod/render/", "traversals/"),
     "hlod/build": (*GL, "hlod/render/", "traversals/"),
+    "bench/view": (*GL, "hlod/render/", "gui/", "imgui", "backends/imgui"),
 }
 
 
@@ -73,18 +74,22 @@ def violations(root, start, forbidden):
     return found
 
 
+def place(root, folder):
+    return root / folder if folder.startswith("bench/") else root / "src" / folder
+
+
 def check(root, folder):
     root = root.resolve()
     return [
         chain
-        for path in sources(root / "src" / folder)
+        for path in sources(place(root, folder))
         for chain in violations(root, path, RULES[folder])
     ]
 
 
 @pytest.mark.parametrize("folder", RULES)
 def test_folder_keeps_to_its_layer(folder):
-    assert sources(ROOT / "src" / folder), "nothing there: did the folder move? Move the rule too"
+    assert sources(place(ROOT, folder)), "nothing there: did the folder move? Move the rule too"
     assert check(ROOT, folder) == []
 
 
@@ -157,6 +162,10 @@ BAD = {
             "src/traversals/a.cpp": "#include <hlodbench/p.h>\n",
             f"{PUBLIC}/hlodbench/p.h": "#include <GL/gl.h>\n",
         },
+    ),
+    "recording includes the window": (
+        "bench/view",
+        {"bench/view/a.cpp": '#include "gui/window.h"\n', "bench/gui/window.h": "\n"},
     ),
     "the tree includes glad": ("hlod/tree", {"src/hlod/tree/t.cpp": '#include "glad/gl.h"\n'}),
 }

@@ -22,7 +22,7 @@ def run(hlodbench, hlod, out, **keys):
     result = hlodbench("run", "--scene", hlod, "--session", session, "--out", out, *options)
     assert result.returncode == 0, result.stderr
     content = json.loads((out / "run.json").read_text(encoding="utf-8"))
-    return content["scene"]["options"]["scene_hash"], content["context"]["warnings"], result.stderr
+    return content["scene"]["build"]["scene_hash"], content["context"]["warnings"], result.stderr
 
 
 def test_only_another_scene_is_warned_of(hlodbench, hlod, tmp_path):

@@ -77,8 +77,8 @@ class Renderer {
   [[nodiscard]] Image readColor() const { return framebuffer_.readColor(); }
   // Of what was drawn since beginFrame().
   [[nodiscard]] DepthImage readDepth() const;
-  // Puts what was drawn into another framebuffer, see Framebuffer::blit(), and leaves OpenGL's state
-  // as somebody else expects it who draws there. beginFrame() comes next.
+  // Puts what was drawn into another framebuffer, see Framebuffer::blit(), and leaves OpenGL's
+  // state as somebody else expects it who draws there. beginFrame() comes next.
   void show(GLuint target, int x, int y, int width, int height);
   // Another size of the framebuffer, pixels, from the next beginFrame() on; results of queries that
   // are under way still count pixels of the old one. Throws std::runtime_error when the driver
