@@ -88,6 +88,7 @@ class Viewer {
 
  private:
   void load();
+  void takeClosingKeys(bool alsoEscape);  // while there is no scene
   void showProgress(const std::string& text, double share);
   void makeSceneParts();
   void showFrame();

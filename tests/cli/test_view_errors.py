@@ -2,7 +2,7 @@
 
 import pytest
 from refusal import BAD_INPUT, NO_GL, complain
-from small_scene import look, write_ply, write_session
+from small_scene import look, write_courtyard, write_ply, write_session
 from view_window import (  # noqa: F401 (fixtures)
     SIZE,
     count_journal_poses,
@@ -71,6 +71,20 @@ def test_a_damaged_mesh_is_told_of_in_the_window(start, screen, tmp_path, how):
     assert view.process.returncode == BAD_INPUT
     (line,) = [li for li in view.errors().splitlines() if li.startswith("hlodbench: ")]
     assert str(mesh) in line
+
+
+@pytest.mark.parametrize("how", ["ctrl+q", "the window's button"])
+def test_building_can_be_ended(start, tmp_path, how):
+    scene = write_courtyard(tmp_path / "yard.scene.json", triangles=1000000)
+    view = start(scene, "--threads", "1").find()
+    view.wait_for_line("building .*")
+    if " " in how:
+        view.ask_to_close()
+    else:
+        view.press(how)
+    assert view.wait_for_end() == 0, view.errors()
+    assert "showing" not in view.errors() and "hlodbench: " not in view.errors()
+    assert not [p for p in tmp_path.rglob("*") if "hlod" in p.name], "nothing half built is left"
 
 
 @pytest.mark.parametrize(
