@@ -83,10 +83,13 @@ void Viewer::load() {
                          });
   });
   while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-    window.takeEvents();
-    const std::lock_guard lock(mutex);
+    takeClosingKeys(false);
+    std::unique_lock lock(mutex);
     isCanceled = isCanceled || window.isClosing();
-    showProgress(isCanceled ? "ending" : work, share);
+    const std::string text = isCanceled ? "ending" : work;
+    const double shown = share;
+    lock.unlock();  // building does not wait for the screen's refresh
+    showProgress(text, shown);
   }
   try {
     stored = result.get();
@@ -95,13 +98,17 @@ void Viewer::load() {
   } catch (const InputError& error) {
     // once on the terminal, by who catches it; here until the window is closed
     while (options.frames == 0 && !window.isClosing() && !isInterrupted()) {
-      controls_.take(window.takeEvents(), false, false);
-      for (const Command command : controls_.commands())
-        if (command == Command::kEscape || command == Command::kQuit) window.close();
+      takeClosingKeys(true);
       showProgress(error.what(), -1.0);
     }
     throw;
   }
+}
+
+void Viewer::takeClosingKeys(bool alsoEscape) {
+  controls_.take(window.takeEvents(), false, false);
+  for (const Command command : controls_.commands())
+    if (command == Command::kQuit || (alsoEscape && command == Command::kEscape)) window.close();
 }
 
 // share: 0 to 1; below 0 there is no progress: an error, and Esc closes the window.
@@ -170,7 +177,7 @@ bool Viewer::run() {
         nameJournal(recorder->file()).string());
     window.stayOpen();
   }
-  return recorder->isSaved();
+  return recorder->isSaved() && !isPictureMissing_;
 }
 
 void Viewer::finish() {
@@ -228,11 +235,12 @@ void Viewer::showFrame() {
   ++frames_;
   const bool isLast = options.frames > 0 && frames_ >= options.frames;
   if (wantsWindowPicture_ || (isLast && !options.picture.empty())) {
-    attempt([&] {
+    const bool isKept = attempt([&] {
       const std::filesystem::path file = wantsWindowPicture_ ? pictureFile_ : options.picture;
       writePicture(file, window.readPixels());
       messages.tell(fmt::format("wrote {}", file.string()));
     });
+    isPictureMissing_ = isLast && !isKept;
     wantsWindowPicture_ = false;
   }
   if (isLast) window.close();

@@ -32,7 +32,8 @@ class Viewer {
   // window. Where the user closes the window before the scene is there, run() returns at once.
   explicit Viewer(const ViewOptions& options);
   ~Viewer();
-  // Until the window is closed. Returns whether everything recorded is saved.
+  // Until the window is closed. Returns whether everything is saved that was recorded, and the
+  // picture that was to be kept at the end.
   bool run();
 
   // Strategies
@@ -87,6 +88,7 @@ class Viewer {
 
  private:
   void load();
+  void takeClosingKeys(bool alsoEscape);  // while there is no scene
   void showProgress(const std::string& text, double share);
   void makeSceneParts();
   void showFrame();
@@ -109,7 +111,7 @@ class Viewer {
   Lens shownLens_;
   double lastTime_ = 0.0;  // seconds
   int frames_ = 0;
-  bool wantsWindowPicture_ = false;
+  bool wantsWindowPicture_ = false, isPictureMissing_ = false;
   std::filesystem::path pictureFile_;
   Pose poseBeforeFreeze_;
   bool isOpen_ = false;  // the scene is there

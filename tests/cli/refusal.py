@@ -7,7 +7,7 @@ from small_scene import past_the_walls, write_relief, write_session, write_walls
 
 BAD_INPUT, NO_GL = 2, 3
 # What may stand before the error: progress, the context, what was built.
-PROGRESS = re.compile(r"(building|replaying|pictures|context|window|warning:|built|wrote)[ :]|  ")
+PROGRESS = re.compile(r"(building|replaying|pictures|context|window|showing|warning:|built|wrote)[ :]|  ")
 
 
 class Place:

@@ -5,13 +5,11 @@ import math
 
 import jsonschema
 import pytest
-from small_scene import look, past_the_walls, write_relief, write_session, write_walls
-from trace_events import Events
+from small_scene import write_relief, write_walls
 from view_window import (  # noqa: F401 (fixtures)
     PANEL,
     SIZE,
     count_differing,
-    count_journal_poses,
     read_picture,
     read_session,
     record,
@@ -22,7 +20,7 @@ from view_window import (  # noqa: F401 (fixtures)
 
 BOX = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
 FACES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6),
-         (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]  # fmt: skip
+          (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
 
 
 def write_obj(path):
@@ -117,8 +115,8 @@ def test_a_session_recorded_by_hand_is_replayed(hlodbench, start, root, tmp_path
     assert frames[0] != frames[-1] and len({tuple(f) for f in frames}) > 10
     # it starts 20 degrees to the side; a drag over the picture's height is half a turn
     yaw, pitch = math.radians(20 - 180 * 60 / SIZE[1]), math.radians(-20)
-    turned = [math.cos(yaw / 2) * math.sin(pitch / 2), math.sin(yaw / 2) * math.cos(pitch / 2),
-              -math.sin(yaw / 2) * math.sin(pitch / 2), math.cos(yaw / 2) * math.cos(pitch / 2)]  # fmt: skip
+    (sy, cy), (sp, cp) = ((math.sin(a / 2), math.cos(a / 2)) for a in (yaw, pitch))
+    turned = [cy * sp, sy * cp, -sy * sp, cy * cp]
     assert frames[0][3:] == pytest.approx(turned, abs=1e-9)
 
     (hlod,) = (tmp_path / "cache").glob("*.hlod")

@@ -2,7 +2,7 @@
 
 import pytest
 from refusal import BAD_INPUT, NO_GL, complain
-from small_scene import look, write_ply, write_session
+from small_scene import look, write_courtyard, write_ply, write_session
 from view_window import (  # noqa: F401 (fixtures)
     SIZE,
     count_journal_poses,
@@ -73,6 +73,20 @@ def test_a_damaged_mesh_is_told_of_in_the_window(start, screen, tmp_path, how):
     assert str(mesh) in line
 
 
+@pytest.mark.parametrize("how", ["ctrl+q", "the window's button"])
+def test_building_can_be_ended(start, tmp_path, how):
+    scene = write_courtyard(tmp_path / "yard.scene.json", triangles=1000000)
+    view = start(scene, "--threads", "1").find()
+    view.wait_for_line("building .*")
+    if " " in how:
+        view.ask_to_close()
+    else:
+        view.press(how)
+    assert view.wait_for_end() == 0, view.errors()
+    assert "showing" not in view.errors() and "hlodbench: " not in view.errors()
+    assert not [p for p in tmp_path.rglob("*") if "hlod" in p.name], "nothing half built is left"
+
+
 @pytest.mark.parametrize(
     "arguments, words",
     [
@@ -124,6 +138,12 @@ def test_a_folder_that_cannot_be_written_to_is_told_of(start, relief, tmp_path, 
         view.press(key)
         view.wait_for_line(f"hlodbench: .*{folder}.*", count)
     assert view.quit() == 0, view.errors()
+
+
+def test_a_script_learns_that_its_picture_is_missing(view_command, relief, tmp_path):
+    picture = impossible(tmp_path, "below a file") / "picture.png"
+    result = view_command(relief, "--frames", "2", "--picture", picture)
+    complain(result, BAD_INPUT, picture)
 
 
 def test_a_recording_that_cannot_be_saved_is_kept(start, relief, tmp_path):

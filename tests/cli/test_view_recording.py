@@ -6,8 +6,10 @@ import signal
 import pytest
 from small_scene import look, write_json, write_session
 from view_window import (  # noqa: F401 (fixtures)
+    PANEL,
     SIZE,
     count_journal_poses,
+    read_picture,
     read_session,
     record,
     relief,
@@ -137,7 +139,7 @@ def test_review_cut_undo_and_save(start, relief, file, journal):
 
 
 def test_replaying_plays_to_the_end_and_escape_leaves(start, relief, tmp_path):
-    poses = [look((0.1 * i - 0.5, 0.2, 2.5), (0, 0, 0)) for i in range(10)]
+    poses = [look((0.05 * i - 1, 0.2, 2.5), (0, 0, 0)) for i in range(40)]
     session = write_session(tmp_path / "path.json", poses, size=(200, 120))
     view = start(relief, "--session", session).open()
     first = view.look()
@@ -147,8 +149,12 @@ def test_replaying_plays_to_the_end_and_escape_leaves(start, relief, tmp_path):
     assert (first != second).any()
     view.press("comma")
     assert (first == view.look()).all()
-    view.press("End", *["period"] * 20)
+    view.press(*["period"] * 45)
     last = view.look()
+    view.press("space", "space")  # it begins again, and stops soon
+    assert (last != view.look()).any()
+    view.press(*["period"] * 45)
+    assert (last == view.look()).all()
     view.press("comma", "space")  # on to the end, where it stops
     view.wait(lambda: (last == view.look()).all(), "the last frame")
     assert (last == view.look()).all()
@@ -213,3 +219,40 @@ def test_a_drag_that_begins_on_the_panel_turns_nothing(start, relief):
     view.drag(*[(20, 5)] * 3)
     assert (before != view.look()).any()
     assert view.quit() == 0, view.errors()
+
+
+def test_the_lens_stays_while_there_is_a_recording(start, relief, file, journal):
+    view = start(relief).open()
+    record(view, journal, 5)
+    view.xdotool("windowsize", view.window, PANEL + 400, 300)
+
+    def is_resized():
+        return read_picture(view.keep_picture("shift+p")).shape == (300, PANEL + 400, 3)
+
+    view.wait(is_resized, "the window's new size")
+    before = view.look()
+    assert before.shape == (SIZE[1], SIZE[0], 3)
+    view.press("bracketright")
+    view.wait_for_line("the field of view stays as it is in a recording.*")
+    assert (before == view.look()).all()
+    assert view.quit() == 0, view.errors()
+    assert read_session(file)["viewport"] == list(SIZE)
+
+
+def test_freezing_pauses_and_recording_goes_on_without_a_jump(start, relief, file, journal):
+    view = start(relief).open()
+    begin_to_record(view, journal, 5)
+    view.drag(*[(3, 1)] * 10)
+    view.press("f")
+    view.look()
+    before = read_journal(journal)
+    view.drag(*[(20, 1)] * 10)  # from outside
+    view.look()
+    assert read_journal(journal) == before
+    view.press("r")
+    view.wait(lambda: count_journal_poses(journal) >= len(before) + 5, "5 more poses")
+    assert view.quit() == 0, view.errors()
+    frames = read_session(file)["frames"]
+    assert len(frames) >= len(before) + 5
+    assert frames[: len(before)] == before
+    assert all(frame == before[-1] for frame in frames[len(before) :])

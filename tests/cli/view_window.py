@@ -163,10 +163,6 @@ class View:
     def point(self, x, y):
         self.xdotool("mousemove", "--window", self.window, x, y)
 
-    def click(self, x, y):
-        # the panels see the pointer arrive a frame before the button, as with a hand
-        self.xdotool("mousemove", "--window", self.window, x, y, "sleep", 0.3, "click", 1)
-
     def drag(self, *steps, start=MIDDLE):
         """With the left button, by so many pixels each."""
         moves = []
