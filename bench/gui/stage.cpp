@@ -15,7 +15,7 @@ constexpr LineDrawing::Color kVisibleColor{60, 220, 90};
 constexpr LineDrawing::Color kOccludedColor{235, 60, 50};
 constexpr LineDrawing::Color kCulledColor{90, 120, 255};
 constexpr LineDrawing::Color kFrustumColor{255, 210, 40};
-constexpr double kFrustumShare = 0.35;  // of the scene's size: how far the frustum is drawn
+constexpr double kFrustumShare = 0.35;  // of the scene's size: how far a frustum within it goes
 
 constexpr int kGap = 2;  // between panes, pixels
 
@@ -83,13 +83,16 @@ void Stage::render(const Camera& camera, const Area& area) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
+  const Aabb& box = hierarchy_.node(kRoot).box;
+  const glm::dvec3 center = 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
   std::vector<Image> images;
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     ScenePane& pane = *panes_[i];
     if (frozen_) {
       drawFront(camera, frozen_->panes[i].front);
-      const double far = kFrustumShare * hierarchy_.node(kRoot).box.diagonal();
-      lines_.addFrustum(frozen_->camera, std::min(frozen_->camera.lens.farPlane, far),
+      const double length = std::max(kFrustumShare * box.diagonal(),
+                                     glm::distance(frozen_->camera.pose.position, center));
+      lines_.addFrustum(frozen_->camera, std::min(frozen_->camera.lens.farPlane, length),
                         kFrustumColor);
       // from outside, what was queried is what there is to see
       const Boxes boxes = look.boxes == Boxes::kNone ? Boxes::kQueried : look.boxes;

@@ -5,13 +5,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
-#include <future>
 #include <glm/gtc/constants.hpp>
-#include <mutex>
 
 #include "gui/panels.h"
-#include "hlod/core/error.h"
 #include "interrupt.h"
 #include "picture.h"
 #include "traversals/plugin_library.h"
@@ -22,7 +18,6 @@ namespace {
 
 constexpr float kPanelWidth = 310.0f;    // pixels of a monitor of 96 dpi
 constexpr std::size_t kShownPoses = 60;  // that a comparison begins before its frame
-constexpr double kFovStep = 1.1;         // of the keys, a factor
 
 Lens makeLens(const ViewOptions& options) {
   Lens lens;
@@ -65,102 +60,6 @@ Viewer::Viewer(const ViewOptions& given)
 }
 
 Viewer::~Viewer() = default;
-
-// In another thread, while the window shows how far it is.
-void Viewer::load() {
-  struct Canceled {};
-  std::mutex mutex;
-  std::string work = "reading";
-  double share = 0.0;
-  bool isCanceled = false;
-  auto result = std::async(std::launch::async, [&] {
-    return openHierarchy(options.scene, options.cache, options.build,
-                         [&](const std::string& newStage, double newShare) {
-                           const std::lock_guard lock(mutex);
-                           if (isCanceled) throw Canceled();
-                           work = newStage;
-                           share = newShare;
-                         });
-  });
-  while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-    takeClosingKeys(false);
-    std::unique_lock lock(mutex);
-    isCanceled = isCanceled || window.isClosing();
-    const std::string text = isCanceled ? "ending" : work;
-    const double shown = share;
-    lock.unlock();  // building does not wait for the screen's refresh
-    showProgress(text, shown);
-  }
-  try {
-    stored = result.get();
-    isOpen_ = !window.isClosing();
-  } catch (const Canceled&) {
-  } catch (const InputError& error) {
-    // once on the terminal, by who catches it; here until the window is closed
-    while (options.frames == 0 && !window.isClosing() && !isInterrupted()) {
-      takeClosingKeys(true);
-      showProgress(error.what(), -1.0);
-    }
-    throw;
-  }
-}
-
-void Viewer::takeClosingKeys(bool alsoEscape) {
-  controls_.take(window.takeEvents(), false, false);
-  for (const Command command : controls_.commands())
-    if (command == Command::kQuit || (alsoEscape && command == Command::kEscape)) window.close();
-}
-
-// share: 0 to 1; below 0 there is no progress: an error, and Esc closes the window.
-void Viewer::showProgress(const std::string& text, double share) {
-  const glm::ivec2 size = window.size();
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, size.x, size.y);
-  glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
-  gui.beginFrame();
-  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({0.8f * size.x, 0.0f});
-  ImGui::Begin(options.scene.filename().c_str(), nullptr,
-               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse);
-  ImGui::TextWrapped("%s", text.c_str());
-  if (share >= 0.0)
-    ImGui::ProgressBar(static_cast<float>(share));
-  else if (ImGui::Button("close"))
-    window.close();
-  ImGui::End();
-  gui.endFrame();
-  window.swap();
-}
-
-void Viewer::makeSceneParts() {
-  const Aabb& box = stored.hierarchy.node(kRoot).box;
-  lens = chooseLens(box, lens.width, lens.height, lens.fovyRad);
-  std::vector<PaneSettings> panes;
-  for (const std::string& strategy : options.strategies)
-    panes.push_back({strategy, options.traversal, parseLatency(options.latency)});
-  stage = std::make_unique<Stage>(
-      stored.hierarchy, lens,
-      RendererOptions{.gpuMemory = options.gpuMemory, .culling = options.faces}, strategies, panes);
-  camera = std::make_unique<CameraControl>(box, lens);
-  Session header;
-  header.lens = lens;
-  header.timeStep = 1.0 / options.rate;
-  header.made = fmt::format("hlodbench view, recorded at {:g} poses a second", options.rate);
-  header.up = glm::dvec3(0.0, 1.0, 0.0);
-  header.scene = SessionScene{stored.sceneName, fmt::format("{:016x}", stored.info.sceneHash)};
-  const std::filesystem::path file =
-      options.record.empty() ? nameNewSession(options.folder, stored.sceneName) : options.record;
-  header.name = file.stem().stem().string();
-  recorder = std::make_unique<SessionRecorder>(header, file);
-  recordPath = file.string();
-  exportRate = options.rate;
-  attempt([&] { journals = listJournals(file.parent_path().empty() ? "." : file.parent_path()); });
-  if (!options.session.empty()) {
-    sessionPath = options.session.string();
-    openSession(options.session);
-  }
-}
 
 bool Viewer::run() {
   if (!isOpen_) return true;
@@ -279,95 +178,6 @@ void Viewer::noteShown(const Camera& shown, double seconds) {
     if (const std::string error = pane.takeError(); !error.empty()) messages.warn(error);
   }
   history.add(seconds, records);
-}
-
-void Viewer::obey(Command command) {
-  switch (command) {
-    case Command::kHelp:
-      showsHelp = !showsHelp;
-      break;
-    case Command::kOrbit:
-      camera->setMode(CameraMode::kOrbit);
-      break;
-    case Command::kFly:
-      camera->setMode(CameraMode::kFly);
-      break;
-    case Command::kWalk:
-      camera->setMode(CameraMode::kWalk);
-      break;
-    case Command::kReset:
-      camera->reset();
-      break;
-    case Command::kNarrower:
-      setFov(lens.fovyRad / kFovStep);
-      break;
-    case Command::kWider:
-      setFov(lens.fovyRad * kFovStep);
-      break;
-    case Command::kRecord:
-      toggleRecording();
-      break;
-    case Command::kSave:
-      saveRecording();
-      break;
-    case Command::kCut:
-      cutRecording();
-      break;
-    case Command::kUndo:
-      undoRecording();
-      break;
-    case Command::kPlay:
-      if (player.empty()) reviewRecording();
-      if (!player.empty()) player.play(!player.isPlaying());
-      break;
-    case Command::kStepBack:
-      if (!player.empty()) player.step(-1);
-      break;
-    case Command::kStepOn:
-      if (!player.empty()) player.step(1);
-      break;
-    case Command::kNextStrategy:
-      chooseNextStrategy();
-      break;
-    case Command::kSplit:
-      toggleSplit();
-      break;
-    case Command::kOverlay:
-      chooseNextOverlay();
-      break;
-    case Command::kBoxes:
-      stage->look.boxes = static_cast<Boxes>((static_cast<int>(stage->look.boxes) + 1) % 5);
-      break;
-    case Command::kFreeze:
-      toggleFreeze();
-      break;
-    case Command::kPicture:
-      keepPicture(false);
-      break;
-    case Command::kWindowPicture:
-      keepPicture(true);
-      break;
-    case Command::kReport:
-      compareFrame();
-      break;
-    case Command::kPanel:
-      showsPanel = !showsPanel;
-      break;
-    case Command::kVsync:
-      window.setVsync(!window.hasVsync());
-      break;
-    case Command::kYes:
-      answerQuestion(true);
-      break;
-    case Command::kEscape:
-      if (answerQuestion(false)) break;
-      showsHelp = false;
-      if (!player.empty()) closeSession();
-      break;
-    case Command::kQuit:
-      window.close();
-      break;
-  }
 }
 
 }  // namespace hlodbench

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "gui/controls.h"
-#include "gui/counter_history.h"
 #include "gui/frame_comparison.h"
 #include "gui/gui.h"
 #include "gui/messages.h"
@@ -19,6 +18,7 @@
 #include "hierarchy_store.h"
 #include "session.h"
 #include "view/camera_control.h"
+#include "view/counter_history.h"
 #include "view/session_player.h"
 #include "view/session_recorder.h"
 

@@ -32,7 +32,7 @@ void SessionRecorder::setFile(std::filesystem::path file) {
 void SessionRecorder::start(const Lens& lens) {
   if (recording_.empty()) header_.lens = lens;
   if (!journal_) {
-    journal_.emplace(nameJournal(file_), header_);
+    journal_.emplace(nameJournal(file_), makeSession());
     journal_->update(recording_.poses());
   }
   recording_.beginStretch();
@@ -86,6 +86,7 @@ void SessionRecorder::updateJournal() {
 
 Session SessionRecorder::makeSession() const {
   Session session = header_;
+  session.name = file_.stem().stem().string();  // walk, of walk.session.json
   session.poses = recording_.poses();
   return session;
 }

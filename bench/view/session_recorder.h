@@ -17,8 +17,8 @@ class SessionRecorder {
  public:
   enum class State { kIdle, kRecording, kPaused };
 
-  // header: everything of the session but its poses and lens; its timeStep is the step, seconds.
-  // file: where it is saved.
+  // header: everything of the session but its poses, lens and name; its timeStep is the step,
+  // seconds. file: where it is saved; the session is called as it is.
   SessionRecorder(Session header, std::filesystem::path file);
 
   [[nodiscard]] State state() const { return state_; }

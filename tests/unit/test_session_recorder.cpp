@@ -23,7 +23,6 @@ class SessionRecorderTest : public ::testing::Test {
 
   static Session makeHeader() {
     Session header;
-    header.name = "walk";
     header.timeStep = 0.1;
     header.made = "by a test";
     return header;
@@ -59,6 +58,7 @@ TEST_F(SessionRecorderTest, SavesWhatWasShownAtTheStep) {
   const Session session = readSession(file_);
   EXPECT_EQ(session.timeStep, 0.1);
   EXPECT_EQ(session.made, "by a test");
+  EXPECT_EQ(session.name, "walk");
   ASSERT_GE(session.poses.size(), 29u);
   for (std::size_t i = 0; i < session.poses.size(); ++i)
     EXPECT_NEAR(session.poses[i].position.x, 2.0 + 0.1 * static_cast<double>(i), 1e-9);

@@ -1,4 +1,4 @@
-#include "gui/counter_history.h"
+#include "view/counter_history.h"
 
 namespace hlodbench {
 
