@@ -103,22 +103,32 @@ def find_reference(history, cell):
 
     The first night is accepted as it stands, unless it says itself that it differs from one that is
     not readable any more. Later ones are where an acceptance names them; if that night is not readable
-    any more, one that was the same stands in for it.
+    any more, one that was the same stands in for it. Counters that came later are those of the first
+    night that has them.
     """
     accepted = {}
     for entry in history.acceptances:
         if cell in entry.data["cells"]:
             accepted = entry.data
-    for night in history.nights:
-        same = (night.data["verdicts"].get(cell) or {}).get("exact") or {}
-        is_same = same.get("verdict") == SAME and same.get("reference") == accepted.get("night")
-        if accepted and cell in night.data["exact"] and (night.id == accepted["night"] or is_same):
-            return night.id, night.data["exact"][cell]
-    for night in history.nights:
-        verdict = (night.data["verdicts"].get(cell) or {}).get("exact") or {}
-        if cell in night.data["exact"] and verdict.get("verdict") != DIFFERENT:
-            return night.id, night.data["exact"][cell]
-    return None, None
+    verdicts = [(night.data["verdicts"].get(cell) or {}).get("exact") or {}
+                for night in history.nights]
+    nights = [(night, verdict) for night, verdict in zip(history.nights, verdicts)
+              if cell in night.data["exact"]]
+    start = None
+    if accepted:
+        start = next((i for i, (night, verdict) in enumerate(nights)
+                      if accepted["night"] in (night.id, verdict.get("reference"))
+                      and (night.id == accepted["night"] or verdict.get("verdict") == SAME)), None)
+    if start is None:
+        start = next((i for i, (_, verdict) in enumerate(nights)
+                      if verdict.get("verdict") != DIFFERENT), None)
+    if start is None:
+        return None, None
+    values = dict(nights[start][0].data["exact"][cell])
+    for night, verdict in nights[start + 1:]:
+        if verdict.get("verdict") == SAME:  # counters that came later
+            values = {**night.data["exact"][cell], **values}
+    return nights[start][0].id, values
 
 
 def judge_exact(history, cell, values):

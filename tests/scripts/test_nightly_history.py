@@ -161,7 +161,7 @@ def test_a_night_of_version_0_is_read_and_said(tmp_path):
     history = read_history(tmp_path, KEY)
     assert history.nights[0].data["exact"] == {CELL: {"dn": 99.0}}
     assert "version 0" in history.problems[0]
-    assert find_reference(history, CELL)[1] == {"dn": 99.0}
+    assert find_reference(history, CELL)[1]["dn"] == 99.0
 
 
 def test_a_renamed_counter_is_compared_under_its_new_name(tmp_path, monkeypatch):
@@ -180,6 +180,15 @@ def test_a_new_counter_is_no_difference_and_a_lost_one_is():
     assert find_differences(old, {**old, "new": 3}) == []
     assert find_differences(old, {"dn": 1.0}) == [{"key": "d", "old": 2, "new": None}]
     assert [d["key"] for d in find_differences(old, {"dn": 1.0 + 2**-50, "d": 2})] == ["dn"]
+
+
+def test_a_new_counter_is_compared_from_the_night_on_that_first_had_it(tmp_path):
+    first = add_night(tmp_path, 1)
+    night = make_night(2, reference=first)
+    night["exact"][CELL]["later"] = 7
+    append(tmp_path, KEY, night, "a")
+    identity, values = find_reference(read_history(tmp_path, KEY), CELL)
+    assert identity == first and values == night["exact"][CELL]
 
 
 # The accepted night
