@@ -46,10 +46,12 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 # shellcheck source=scripts/lib.sh
 . "$root/scripts/lib.sh"
 
-case ${1-} in
-  -h | --help)
-    usage
-    exit 0
-    ;;
-esac
+for argument; do
+  case $argument in
+    -h | --help)
+      usage
+      exit 0
+      ;;
+  esac
+done
 exec "$python" "$root/scripts/nightly.py" "$@"

@@ -1,4 +1,4 @@
-"""Options of scripts/nightly.sh, exit codes, and the order of things."""
+"""Options of scripts/nightly.sh, and its exit codes."""
 
 import argparse
 import os

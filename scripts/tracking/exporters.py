@@ -9,15 +9,21 @@ github-action-benchmark  README of benchmark-action/github-action-benchmark, "cu
 
 import statistics
 
+from .timing import CPU
+
 # Exact values for which less is better, if anything is.
 COUNTS = {"dn": "nodes", "rarn": "nodes", "d": "nodes", "queries": "queries",
           "triangles": "triangles"}
 
 
+def _samples(night):
+    """The samples by cell, of the cells that have some."""
+    return (night.get("timing") or {}).get("cells") or {}
+
+
 def _times(night):
-    """(cell, [ms]) of the cells that have some."""
-    cells = (night.get("timing") or {}).get("cells") or {}
-    return [(cell, samples["new"]) for cell, samples in cells.items()]
+    """(cell, [ms])."""
+    return [(cell, samples["new"]) for cell, samples in _samples(night).items()]
 
 
 def _counts(night):
@@ -28,16 +34,20 @@ def _counts(night):
 
 def export_google_benchmark(night):
     """JSON with a benchmark for each repetition, so that compare.py has its U test. Cells without
-    times are left out: the format is one of times."""
+    times are left out: the format is one of times. cpu_time is that of the traversing thread, and
+    the frame time where it is not known."""
     machine, context = night["machine"], night["context"]
     rows = []
-    for family, (cell, values) in enumerate(_times(night)):
-        for index, value in enumerate(values):
+    for family, (cell, samples) in enumerate(_samples(night).items()):
+        values = samples["new"]
+        processor = samples["stages"]["new"].get(CPU) or []
+        processor = processor if len(processor) == len(values) else values
+        for index, (value, cpu) in enumerate(zip(values, processor)):
             rows.append({
                 "name": cell, "family_index": family, "per_family_instance_index": 0,
                 "run_name": cell, "run_type": "iteration", "repetitions": len(values),
                 "repetition_index": index, "threads": 1, "iterations": 1, "real_time": value,
-                "cpu_time": value, "time_unit": "ms"})
+                "cpu_time": cpu, "time_unit": "ms"})
     return {
         "context": {
             "date": night["time_utc"].replace("Z", "+00:00"), "host_name": machine["key"],
@@ -66,7 +76,7 @@ def export_github_action_benchmark(night):
     rows = []
     for cell, values in _times(night):
         rows.append({"name": f"{cell} frame time", "unit": "ms", "value": statistics.median(values),
-                     "range": f"{min(values):.4g} to {max(values):.4g}",
+                     "range": f"± {(max(values) - min(values)) / 2:.4g}",
                      "extra": f"median of {len(values)} repetitions\n{night['machine']['key']}"})
     for cell, counter, value in _counts(night):
         rows.append({"name": f"{cell} {counter}", "unit": COUNTS[counter], "value": value,

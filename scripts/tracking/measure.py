@@ -9,11 +9,12 @@ from dataclasses import dataclass
 import sweeping.cell
 from result_folder import ResultError, read_run
 
+from . import timing
 from .build import last_line, run
 from .errors import TrackingError
 from .matrix import LATENCY, PICTURES, REFERENCE
 
-STAGES = ("draw_ms", "query_ms", "wait_ms", "traversal_ms")
+STAGES = (*timing.STAGES, timing.CPU)
 NO_GL = 3
 STRATEGY = re.compile(r"^  ([a-z][a-z0-9-]*) ", re.MULTILINE)
 
@@ -60,7 +61,8 @@ class Program:
         return folder
 
     def run_timed(self, scene, strategy, folder):
-        """One replay with the driver's latency: (ms a frame, {stage: ms a frame})."""
+        """One replay with the driver's latency: (ms a frame, {stage: ms a frame}).
+        The processor's time is among the stages."""
         self._run(scene, [strategy], folder, "--latency", "gl", "--images", "none")
         try:
             (case,) = read_run(folder, frames=False).cases

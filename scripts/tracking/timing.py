@@ -18,6 +18,8 @@ from .statistics import (NORMAL_MAD, compute_change, compute_mann_whitney, compu
                          compute_spread)
 
 SAME, FAST, SLOW, UNCLEAR = "SAME", "FAST", "SLOW", "UNCLEAR"
+STAGES = ("draw_ms", "query_ms", "wait_ms", "traversal_ms")  # of a frame, beside each other
+CPU = "cpu_ms"  # of the traversing thread, across them
 MOST_NIGHTS = 20  # earlier nights that are compared with: the last ones
 FEWEST_NIGHTS = 5
 NIGHT_DEVIATIONS = 3  # how far out of the earlier nights' medians a night must lie
@@ -135,7 +137,7 @@ def find_stage(samples):
     {"base": {stage: [ms]}, "new": ...}; the largest growth of a median."""
     base, new = samples.get("base") or {}, samples.get("new") or {}
     growth = {stage: float(np.median(new[stage]) - np.median(base[stage]))
-              for stage in new if base.get(stage)}
+              for stage in STAGES if new.get(stage) and base.get(stage)}
     stage = max(growth, key=growth.get, default=None)
     if stage is None or growth[stage] <= 0:
         return None
