@@ -10,9 +10,12 @@ the same workload and numpy, which its name has.
 import heapq
 import multiprocessing
 import os
+import signal
 import time
 
 import numpy as np
+
+from sweeping import child
 
 WORKLOAD = f"numpy-1/{np.__version__}"
 NONE = "none"
@@ -37,6 +40,7 @@ def measure():
 
 
 def _work(barrier):
+    child.die_with_parent(signal.SIGKILL)
     rng = np.random.default_rng(1)
     a, b = (rng.random(VECTOR, dtype=np.float32) for _ in range(2))
     c = np.empty_like(a)

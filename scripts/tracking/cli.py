@@ -17,7 +17,8 @@ from .night import run_night, say
 from .summary import is_regression
 from .timing import Rule
 
-SUCCESS, REGRESSION, NOT_RUN, INTERRUPTED = 0, 1, 2, 130
+SUCCESS, REGRESSION, NOT_RUN = 0, 1, 2
+RETRY_S = 5
 FEWEST_REPETITIONS = 9  # fewer have too little power: docs/nightly.md
 
 
@@ -103,8 +104,7 @@ def per_cent(text):
 
 def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else arguments
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, lambda received, _: sys.exit(128 + received))
+    end_on_signals()
     try:
         if arguments[:1] == ["accept"]:
             return run_accept(make_accept_parser().parse(arguments[1:]))
@@ -113,9 +113,26 @@ def main(arguments=None):
         say(" ".join(str(error).split("\n")))
     except OSError as error:
         say(f"{error.filename or 'nightly.sh'}: {error.strerror}")
-    except KeyboardInterrupt:
-        return INTERRUPTED
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
     return NOT_RUN
+
+
+def end_on_signals():
+    """Makes signals end this process by SystemExit, with the usual codes, so that children end and
+    what is unfinished goes. Python drops what a handler raises in the callbacks around a fork: so
+    it is raised again after RETRY_S, unless the process has ended."""
+
+    def stop(number, _):
+        def again(*_):
+            stop(number, None)
+        signal.signal(signal.SIGALRM, again)
+        signal.setitimer(signal.ITIMER_REAL, RETRY_S)
+        sys.exit(128 + number)
+
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) != signal.SIG_IGN:  # as nohup has it
+            signal.signal(number, stop)
 
 
 def run(options):

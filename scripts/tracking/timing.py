@@ -21,8 +21,9 @@ SAME, FAST, SLOW, UNCLEAR = "SAME", "FAST", "SLOW", "UNCLEAR"
 STAGES = ("draw_ms", "query_ms", "wait_ms", "traversal_ms")  # of a frame, beside each other
 CPU = "cpu_ms"  # of the traversing thread, across them
 MOST_NIGHTS = 20  # earlier nights that are compared with: the last ones
-FEWEST_NIGHTS = 5
-NIGHT_DEVIATIONS = 3  # how far out of the earlier nights' medians a night must lie
+FEWEST_NIGHTS = 10
+NIGHT_DEVIATIONS = 5  # how far out of the earlier nights' medians a night must lie; measuring again
+# in the same night does not undo that night's luck, so that this alone keeps false alarms away
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,8 @@ np = pytest.importorskip("numpy", reason="needs python3-numpy")
 from tracking import simulate as module  # noqa: E402
 from tracking.simulate import (Group, Setting, read_groups, share_of_cells,  # noqa: E402
                                share_of_nights, simulate)
-from tracking.timing import FAST, SAME, SLOW, Rule  # noqa: E402
+from tracking.timing import (FAST, SAME, SLOW, Rule, confirm,  # noqa: E402
+                             judge_history)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "results/reference"
@@ -62,6 +63,23 @@ def test_measuring_again_is_what_keeps_false_alarms_away(groups, monkeypatch, un
     monkeypatch.setattr(module, "confirm", lambda first, second: first)
     careless = simulate(groups, 0.0, Setting(nights=200), RULE)
     assert share_of_nights(careless, SLOW) > 0.02 > share_of_nights(unchanged, SLOW)
+
+
+@pytest.mark.parametrize("between", [0.0, 0.02, 0.05])
+def test_nights_that_differ_by_themselves_are_seldom_slow(between):
+    """Without a baseline; there are no real nights yet, so these are made up."""
+    rng = np.random.default_rng(1)
+
+    def measure(luck):
+        return np.exp(rng.normal(luck, 0.05, 9))
+
+    slow = 0
+    for _ in range(150):
+        luck = rng.normal(0, between)
+        earlier = [list(measure(rng.normal(0, between))) for _ in range(20)]
+        first, second = (judge_history(earlier, measure(luck), RULE) for _ in range(2))
+        slow += first.verdict == SLOW and confirm(first, second).verdict == SLOW
+    assert slow <= 1
 
 
 def test_the_table_is_printed():

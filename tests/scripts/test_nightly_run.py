@@ -5,6 +5,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import sys
 import time
 
 import pytest
@@ -16,6 +17,7 @@ jsonschema = pytest.importorskip("jsonschema", reason="needs python3-jsonschema"
 import fake_nightly  # noqa: E402
 from tracking import night as night_module  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
+from tracking.history import append  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCHEMA = json.loads((ROOT / "results/night.schema.json").read_text(encoding="utf-8"))
@@ -219,18 +221,37 @@ def test_a_strategy_that_the_baseline_lacks_cannot_be_told(machine):
 
 
 def test_without_a_baseline_nights_are_compared_with_earlier_nights(machine):
-    for number in range(5):
-        done = machine.run(*TIMED, seed=number)
-        assert done.returncode == 0
-        assert timing_of(machine)["reason"].startswith(f"{number} earlier nights")
-    assert machine.run(*TIMED, seed=5).returncode == 0
+    assert machine.run(*TIMED).returncode == 0
+    assert timing_of(machine)["reason"].startswith("0 earlier nights")
+    night = machine.night()
+    for number in range(2, 11):
+        earlier = json.loads(json.dumps({**night, "sequence": number}))
+        samples = earlier["timing"]["cells"][CELL]
+        samples["new"] = [value * (1 + 0.001 * number) for value in samples["new"]]
+        del earlier["schema"]
+        append(machine.history, night["machine"]["key"], earlier, "a")
+    assert machine.run(*TIMED).returncode == 0
     assert timing_of(machine)["verdict"] == "SAME"
-    for number in range(2):
-        assert machine.run(*TIMED, seed=6 + number, slower=0.1).returncode == 1
+    for _ in range(2):  # it does not become the norm by itself
+        assert machine.run(*TIMED, slower=0.1).returncode == 1
         assert timing_of(machine)["verdict"] == "SLOW"
+        assert machine.night()["timing"]["mode"] == "history"
+        jsonschema.Draft7Validator(SCHEMA).validate(machine.night())
     machine.accept("--why", "x", "--who", "y")
-    assert machine.run(*TIMED, seed=9, slower=0.1).returncode == 0
+    assert machine.run(*TIMED, slower=0.1).returncode == 0
     assert timing_of(machine)["reason"].startswith("1 earlier nights")
+
+
+def test_the_calibration_is_measured_in_every_repetition(machine):
+    done = machine.run(*TIMED, "--calibration", "numpy")
+    assert done.returncode == 0, done.stderr
+    timing = machine.night()["timing"]
+    seconds = timing["calibration"]["seconds"]
+    assert len(seconds) == 9 and min(seconds) > 0
+    assert timing["calibration"]["workload"].startswith("numpy-1/")
+    assert timing["cells"][CELL]["calibration"] == sorted(seconds)[4]
+    machine.run(*TIMED, "--calibration", "numpy", renderer="NVIDIA H100")
+    assert machine.night()["timing"]["cells"][CELL]["calibration"] == 1.0
 
 
 # What cannot run
@@ -302,6 +323,26 @@ def test_killed_in_the_middle_nothing_is_added_and_the_next_night_works(machine,
     done = machine.compare()  # the lock is free, no run of the killed one is in the way
     assert done.returncode == 0, done.stderr
     assert len(machine.files()) == 1
+
+
+DROPPED = """
+import os, signal, sys, time
+sys.path.insert(0, sys.argv[1])
+from tracking import cli
+cli.RETRY_S = 0.1
+cli.end_on_signals()
+os.register_at_fork(after_in_parent=lambda: os.kill(os.getpid(), signal.SIGTERM))
+if os.fork() == 0:
+    os._exit(0)
+print("dropped", flush=True)
+time.sleep(60)
+"""
+
+
+def test_a_signal_that_python_drops_around_a_fork_ends_it_all_the_same():
+    done = subprocess.run([sys.executable, "-c", DROPPED, ROOT / "scripts"], capture_output=True,
+                          text=True, check=False, timeout=50)
+    assert done.returncode == 143 and done.stdout == "dropped\n"
 
 
 def wait_for(path):
