@@ -75,8 +75,6 @@ def read_history(folder, key):
     if not place.exists():
         return history
     for path in sorted(place.glob("*.json")):
-        if path.name.startswith("."):
-            continue  # a file that is being written
         data = _read(path, key, history.problems)
         if data is not None:
             is_night = data["kind"] == "night"

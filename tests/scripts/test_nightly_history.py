@@ -19,6 +19,7 @@ from tracking.errors import TrackingError  # noqa: E402
 from tracking.exact import find_differences, find_reference, judge_exact  # noqa: E402
 from tracking.history import append, list_machines, read_history  # noqa: E402
 from tracking.machine import describe_machine  # noqa: E402
+from tracking.night import list_samples  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCHEMA = json.loads((ROOT / "results/night.schema.json").read_text(encoding="utf-8"))
@@ -153,6 +154,12 @@ def test_a_night_of_another_machine_is_no_night_of_this_one(tmp_path):
 # Versions and names
 
 
+def test_a_whole_file_of_a_newer_version_is_not_guessed_at(tmp_path):
+    write(tmp_path, "a.json", json.dumps({"schema": migrate.VERSION + 1, **make_night(1)}))
+    history = read_history(tmp_path, KEY)
+    assert history.nights == [] and "a newer nightly.sh wrote it" in history.problems[0]
+
+
 def test_a_night_of_version_0_is_read_and_said(tmp_path):
     write(tmp_path, "20250101T000000Z-a-1.json", json.dumps({
         "schema": 0, "time": "2025-01-01T00:00:00Z", "revision": "abc", "scene": "courtyard",
@@ -242,6 +249,37 @@ def test_of_several_machines_one_is_to_be_named(tmp_path):
     with pytest.raises(TrackingError, match="another-machine"):
         accept(tmp_path, None, [], "A", "b")
     accept(tmp_path, KEY[:9], [], "A", "b")
+
+
+# Times of earlier nights
+
+
+def test_nights_that_were_slow_are_no_norm_until_they_are_accepted(tmp_path):
+    def add(sequence, verdict, change=lambda night: None):
+        night = make_night(sequence, timing={**SLOWER, "verdict": verdict})
+        night["timing"] = make_times("history", new=[float(sequence)])
+        night["exact"][CELL]["session"] = "00"
+        change(night)
+        return night, append(tmp_path, KEY, night, "a")
+
+    tonight, _ = add(1, "SAME")
+    add(2, "SLOW")
+    add(3, "FAST")
+    add(4, "SAME", lambda night: night["exact"][CELL].update(scene="another"))
+    add(5, "SAME", lambda night: night["timing"]["calibration"].update(workload="another"))
+    add(6, "SAME", lambda night: night["timing"]["cells"][CELL].update(calibration=2.0))
+    add(7, "SAME", lambda night: night.update(timing=None))
+
+    def found(workload):
+        return list_samples(CELL, tonight, read_history(tmp_path, KEY), workload)
+
+    assert found("numpy-1") == [[1.0], [3.0], [3.0]]
+    assert found(None) == [[1.0], [3.0], [5.0], [3.0]]
+    _, slow = add(8, "SLOW")
+    append(tmp_path, KEY, make_acceptance(9, slow.stem), "accept")
+    add(10, "SLOW")
+    add(11, "SAME")
+    assert found("numpy-1") == [[8.0], [11.0]]
 
 
 # Machines
