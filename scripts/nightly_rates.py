@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Prints how often scripts/nightly.sh errs, as a Markdown table (docs/nightly.md).
 
-Nights are simulated from the replays of result folders (those of results/reference by default) by
-the rule that judges real ones: with nothing changed (A/A), and with frame times that are longer by
+Nights are simulated from the replays of result folders and of nights (those of results/reference by
+default; or a history) by the rule that judges real ones: with nothing changed (A/A), and with frame times that are longer by
 some share in every cell. Nothing is run.
 
 Exit codes: 0 done; 2 wrong usage or too few replays.
@@ -24,7 +24,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", type=pathlib.Path, default=ROOT / "results/reference",
-                        help="folder with result folders (results/reference)")
+                        help="folder with result folders or nights (results/reference)")
     parser.add_argument("--nights", type=int, default=1000, help="of each row (1000)")
     parser.add_argument("--repetitions", type=int, nargs="+", default=[9, 15, 30])
     parser.add_argument("--min-change", type=float, nargs="+", default=[3.0, 1.0], help="per cent")

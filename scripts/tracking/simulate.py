@@ -7,6 +7,7 @@ that is a bootstrap, and it knows only the noise that these replays had. It take
 independent; a slow drift, which pairs are for, is in none of it.
 """
 
+import json
 import pathlib
 from dataclasses import dataclass
 
@@ -14,6 +15,8 @@ import numpy as np
 
 from result_folder import ResultError, read_run
 
+from .migrate import VERSION
+from .shapes import find_damage
 from .timing import FAST, SLOW, confirm, judge_pairs
 
 FEWEST = 3  # replays of a group
@@ -28,25 +31,47 @@ class Group:
 
 
 def read_groups(folder):
-    """The groups of all result folders below `folder`, without those with a fixed latency."""
+    """The groups of all result folders below `folder`, without those with a fixed latency, and of
+    all nights there (a history, or night.json): the baseline's frame times, or tonight's."""
     groups = []
-    for path in sorted(pathlib.Path(folder).rglob("run.json")):
-        try:
-            run = read_run(path.parent, frames=False)
-        except ResultError:
-            continue
-        if (run.data.get("options") or {}).get("latency", "gl") != "gl":
-            continue
-        rates = {}
-        for case in run.cases:
-            if case.summary and case.summary.get("fps"):
-                rates.setdefault(case.strategy, []).append(case.summary["fps"])
-        for strategy, values in rates.items():
-            if len(values) >= FEWEST:
-                logs = -np.log(values)
-                widened = (logs - logs.mean()) * np.sqrt(len(values) / (len(values) - 1))
-                groups.append(Group(f"{path.parent}:{strategy}", tuple(widened)))
+    for path in sorted(pathlib.Path(folder).rglob("*.json")):
+        if path.name == "run.json":
+            samples = _read_run(path.parent)
+        else:
+            samples = _read_night(path)
+        for name, times in samples.items():
+            if len(times) >= FEWEST:
+                logs = np.log(times)
+                widened = (logs - logs.mean()) * np.sqrt(len(times) / (len(times) - 1))
+                groups.append(Group(f"{path}:{name}", tuple(widened)))
     return groups
+
+
+def _read_run(folder):
+    """Frame times by strategy."""
+    samples = {}
+    try:
+        run = read_run(folder, frames=False)
+    except ResultError:
+        return samples
+    if (run.data.get("options") or {}).get("latency", "gl") != "gl":
+        return samples
+    for case in run.cases:
+        if case.summary and case.summary.get("fps"):
+            samples.setdefault(case.strategy, []).append(1000 / case.summary["fps"])
+    return samples
+
+
+def _read_night(path):
+    """Frame times by cell."""
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    if not isinstance(data, dict) or data.get("schema") != VERSION or find_damage(data):
+        return {}
+    cells = (data.get("timing") or {}).get("cells") or {}
+    return {cell: samples.get("base") or samples["new"] for cell, samples in cells.items()}
 
 
 @dataclass(frozen=True)

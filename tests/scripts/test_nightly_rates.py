@@ -8,7 +8,9 @@ import pytest
 
 np = pytest.importorskip("numpy", reason="needs python3-numpy")
 
+import made_up_nights  # noqa: E402
 from tracking import simulate as module  # noqa: E402
+from tracking.history import append  # noqa: E402
 from tracking.simulate import (Group, Setting, read_groups, share_of_cells,  # noqa: E402
                                share_of_nights, simulate)
 from tracking.timing import (FAST, SAME, SLOW, Rule, confirm,  # noqa: E402
@@ -88,6 +90,16 @@ def test_the_table_is_printed():
                           capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert len([line for line in done.stdout.splitlines() if line.startswith("| as")]) == 2
+
+
+def test_nights_of_a_history_are_drawn_from(tmp_path):
+    night = made_up_nights.make_night(1)
+    night["timing"] = made_up_nights.make_times(base=[10.0, 11.0, 12.0], new=[20.0, 20.0, 20.0])
+    path = append(tmp_path, made_up_nights.KEY, night, "a")
+    append(tmp_path, made_up_nights.KEY, made_up_nights.make_acceptance(2, path.stem), "accept")
+    (path.parent / "damaged.json").write_text("{", encoding="utf-8")
+    (group,) = read_groups(tmp_path)
+    assert len(group.deviations) == 3 and group.deviations[2] > 0.09 > group.deviations[0]
 
 
 def test_too_few_replays_are_refused(tmp_path):
