@@ -12,6 +12,9 @@ PRESET = "release"
 PROGRAM = pathlib.Path("build") / PRESET / "bench" / "hlodbench"
 WHOLE = ".nightly-complete"  # in a baseline's folder, when its program has been built
 
+# Ends its whole process group when it is told to end: cmake does not pass signals on.
+END_TOGETHER = """trap 'trap - TERM; kill 0' TERM; "$@" & wait $!"""
+
 
 def build_program(source, log, what):
     """Builds the program of a source folder, and returns its path. log: a file that gets what CMake
@@ -28,18 +31,22 @@ def build_program(source, log, what):
 
 
 def run(command, folder, log):
-    """Runs a command that ends with us; its exit code. What it says goes to the log."""
+    """Runs a command that ends with us, however we end, with all that it has started: a compiler
+    that goes on would be in the next night's times. Its exit code; what it says goes to the log."""
+    if shutil.which(command[0]) is None:
+        raise TrackingError(f"{command[0]}: cannot be run: no such program")
     with open(log, "ab") as file:
         try:
-            with child.start([str(part) for part in command], cwd=folder, stdout=file, stderr=file,
-                             stdin=subprocess.DEVNULL) as process:
+            with child.start(["sh", "-c", END_TOGETHER, "sh", *map(str, command)], cwd=folder,
+                             stdout=file, stderr=file, stdin=subprocess.DEVNULL,
+                             start_new_session=True) as process:
                 try:
                     return process.wait()
                 except BaseException:
                     process.terminate()
                     raise
         except OSError as error:
-            raise TrackingError(f"{command[0]}: cannot be run: {error.strerror}") from None
+            raise TrackingError(f"sh: cannot be run: {error.strerror}") from None
 
 
 def last_line(log):

@@ -10,7 +10,7 @@ def make_summary(night, history):
     verdict = describe_verdict(night)
     lines = [f"# Night of {night['time_utc']}: {verdict}", "",
              f"Revision `{night['revision']}` on `{night['machine']['key']}` "
-             f"({_cell(night['machine']['gl_renderer'])}), {len(history.nights)} earlier nights.",
+             f"({_cell(night['machine']['gl_renderer'])}), earlier nights: {len(history.nights)}.",
              "", "| Cell | exact | times | change [95 %] | why |", "|---|---|---|--:|---|"]
     for cell, verdicts in night["verdicts"].items():
         timing = verdicts["timing"] or {}

@@ -106,8 +106,8 @@ def judge_history(nights, tonight, rule):
     a list of samples."""
     nights = nights[-MOST_NIGHTS:]
     if len(nights) < FEWEST_NIGHTS:
-        return Verdict(UNCLEAR, f"{len(nights)} earlier nights to compare with, {FEWEST_NIGHTS} "
-                                "are needed")
+        return Verdict(UNCLEAR, f"expected {FEWEST_NIGHTS} earlier nights to compare with, "
+                                f"found {len(nights)}")
     medians = np.log([np.median(night) for night in nights])
     middle = np.median(medians)
     spread = NORMAL_MAD * np.median(np.abs(medians - middle))

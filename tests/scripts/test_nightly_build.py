@@ -2,13 +2,16 @@
 
 import os
 import pathlib
+import signal
 import subprocess
+import sys
+import time
 
 import pytest
 
 pytest.importorskip("numpy", reason="needs python3-numpy")
 
-from tracking.build import Baseline, build_program, last_line  # noqa: E402
+from tracking.build import Baseline, build_program, last_line, run  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
 
 CMAKE = """#!/bin/sh
@@ -108,6 +111,45 @@ def test_no_cmake_is_said(checkout, tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", "/nonexistent")
     with pytest.raises(TrackingError, match="cmake: cannot be run"):
         build_program(checkout, tmp_path / "log", "this")
+
+
+RUN = """
+import sys
+sys.path.insert(0, sys.argv[1])
+from tracking.build import run
+run(["sh", "-c", "sleep 300 & echo $! >started; mv started pid; wait"], None, "log")
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
+def test_what_a_build_has_started_ends_with_us(tmp_path, number):
+    scripts = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+    process = subprocess.Popen([sys.executable, "-c", RUN, scripts], cwd=tmp_path)
+    wait_until((tmp_path / "pid").exists)
+    stat = pathlib.Path("/proc") / (tmp_path / "pid").read_text(encoding="ascii").strip() / "stat"
+    assert stat.exists()
+    process.send_signal(number)
+    process.wait(timeout=30)
+
+    def is_gone():
+        try:
+            return stat.read_text(encoding="ascii").split()[2] == "Z"
+        except OSError:
+            return True
+    wait_until(is_gone)
+
+
+def wait_until(condition):
+    end = time.monotonic() + 30
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def test_a_command_has_its_own_exit_code(tmp_path):
+    assert run(["sh", "-c", "echo said; exit 7"], tmp_path, tmp_path / "log") == 7
+    assert last_line(tmp_path / "log") == "said"
+    assert run(["true"], None, tmp_path / "log") == 0
 
 
 def test_the_telling_line_is_an_error_and_no_file_of_that_name(tmp_path):

@@ -186,7 +186,7 @@ def test_nights_that_differ_among_themselves_are_no_norm():
 
 
 def test_few_nights_are_too_few():
-    assert "are needed" in judge_history(nights(4), nights(1)[0], RULE).reason
+    assert "earlier nights to compare with, found 4" in judge_history(nights(4), nights(1)[0], RULE).reason
 
 
 def test_only_the_last_nights_count():
