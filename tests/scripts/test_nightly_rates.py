@@ -53,7 +53,7 @@ def test_larger_slowdowns_are_found_more_often_and_never_called_fast(groups):
     assert found[1] > 0.15 and found[2] > 0.75 and found[3] > 0.95
 
 
-def test_a_quieter_machine_tells_what_the_issue_is(groups):
+def test_a_quieter_machine_tells_more(groups):
     """With a fifth of the noise of these replays 5 % are always found, and as fast is SAME."""
     quiet = [Group(g.name, tuple(d / 5 for d in g.deviations)) for g in groups]
     setting = Setting(nights=60)
