@@ -2,8 +2,8 @@
 """Prints how often scripts/nightly.sh errs, as a Markdown table (docs/nightly.md).
 
 Nights are simulated from the replays of result folders and of nights (those of results/reference by
-default; or a history) by the rule that judges real ones: with nothing changed (A/A), and with frame times that are longer by
-some share in every cell. Nothing is run.
+default; or a history) by the rule that judges real ones: with nothing changed (A/A), and with frame
+times that are longer by some share in every cell. Nothing is run.
 
 Exit codes: 0 done; 2 wrong usage or too few replays.
 """
