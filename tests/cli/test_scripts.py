@@ -10,7 +10,7 @@ from stand_ins import CMAKE, add_stand_in, calls, run
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPTS = ["install_dependencies.sh", "reproduce.sh", "test.sh", "fetch_dragon.sh",
-           "gpu_comparison.sh"]
+           "gpu_comparison.sh", "nightly.sh"]
 
 
 # Every script

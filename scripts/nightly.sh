@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Usage: scripts/nightly.sh [OPTION...]
+#        scripts/nightly.sh accept --why TEXT [--cell CELL]... [--who NAME] [--key KEY] [--history DIR]
+#
+# Measures this checkout, compares it with earlier nights and with a baseline, adds the night to a
+# history and says whether anything is worse (docs/nightly.md). Two tiers: exact values (nodes,
+# queries, triangles, pictures, with a fixed latency), where any change is one until it is accepted;
+# and times, in interleaved repetitions. A cell is SCENE/STRATEGY, such as courtyard/coh-b.
+#
+#   (no option)        the courtyard with bool, sw-b, simp-b, coh-b and reuse-b
+#   --paper            scenes 1 and 2 of the paper instead; fetches the Stanford dragon
+#   --cell CELL        only this one; may be repeated
+#   --history DIR      the folder that nights are added to (results/runs/history;
+#                      HLODBENCH_HISTORY names another)
+#   --out DIR          put results, summary.md and exports into DIR, new or empty, instead of
+#                      results/runs/nightly/UTCTIME-RANDOM
+#   --baseline REV     compare times with this revision, built in build/nightly/REV; without it, with
+#                      earlier nights of the same machine
+#   --repetitions N    of the times of each cell, 9 or more (9)
+#   --no-times         only the exact tier
+#   --min-change P     least change that is called SLOW or FAST, per cent (3)
+#   --max-spread P     more spread of side-by-side runs or of the calibration is a noisy machine,
+#                      per cent (15)
+#   --max-others P     so is more time of the processors used by other programs, per cent (25)
+#   --calibration W    numpy: a fixed workload tells how fast the processor is; none (numpy)
+#   --machine NAME     tells machines apart that look alike
+#   --context NAME     how to get OpenGL: auto, egl or osmesa (auto)
+#   --seed N           of the order of the runs (1)
+#   --program FILE     this hlodbench instead of building the checkout
+#   --baseline-program FILE  the same for the baseline
+#   --help             this text
+#
+# accept takes the newest night's changes for good; who and why are recorded in the history:
+#   --why TEXT         the reason
+#   --cell CELL        only this one; may be repeated (all that changed)
+#   --who NAME         who accepts it (git's user)
+#   --key KEY          of which machine: the beginning of its folder's name (the only one)
+#
+# Safe to kill at any moment, to run twice at once (measuring waits for its turn) and from several
+# machines into one history. stdout has the summary; all else is on stderr.
+#
+# Exit codes: 0 nothing is worse; 1 a regression: a cell is DIFFERENT or SLOW; 2 could not run, the
+# history is as it was; 130 interrupted.
+set -euo pipefail
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+# shellcheck source=scripts/lib.sh
+. "$root/scripts/lib.sh"
+
+for argument; do
+  case $argument in
+    -h | --help)
+      usage
+      exit 0
+      ;;
+  esac
+done
+exec "$python" "$root/scripts/nightly.py" "$@"

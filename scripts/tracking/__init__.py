@@ -1,0 +1,23 @@
+"""The parts of scripts/nightly.sh.
+
+cli          options and exit codes
+matrix       scenes and strategies: the cells
+build        the program of this checkout and of a baseline revision
+measure      runs the program: the exact tier and the timing tier
+lock         one night at a time on a machine
+load         what other programs use meanwhile
+night        the order of things in a night
+calibration  a fixed workload that tells how fast the processor is tonight
+exact        exact values of a result folder, and what differs between two nights
+timing       frame times to verdicts: the U test, the least change, measuring again
+statistics   the U test, medians and intervals
+machine      the key of a machine: only like is compared with like
+history      the folder of files that are only ever added
+migrate      earlier versions of them, and renamed counters
+shapes       what readers rely on in them
+accept       who took a change for good, and why
+output       the files of a night beside the history
+summary      a night as Markdown
+exporters    a night for other tools
+simulate     how often the rule errs, from real samples
+"""

@@ -1,0 +1,161 @@
+"""Options of scripts/nightly.sh, and its exit codes."""
+
+import argparse
+import os
+import pathlib
+import secrets
+import signal
+import sys
+import time
+
+from run_cells import ROOT
+
+from .accept import accept
+from .calibration import NONE
+from .errors import TrackingError
+from .night import run_night, say
+from .summary import is_regression
+from .timing import Rule
+
+SUCCESS, REGRESSION, NOT_RUN = 0, 1, 2
+RETRY_S = 5
+FEWEST_REPETITIONS = 9  # fewer have too little power: docs/nightly.md
+
+
+class Parser(argparse.ArgumentParser):
+    """Errors are one line, as those of the other scripts. The help text is in nightly.sh."""
+
+    def __init__(self):
+        super().__init__(prog="nightly.sh", add_help=False, allow_abbrev=False)
+
+    def error(self, message):
+        raise TrackingError(f"{message}; see nightly.sh --help")
+
+    def parse(self, arguments):
+        options, rest = self.parse_known_args(arguments)
+        if rest:
+            raise TrackingError(f"unknown option or argument '{rest[0]}'; see nightly.sh --help")
+        return options
+
+
+def make_history_option(parser):
+    default = os.environ.get("HLODBENCH_HISTORY") or ROOT / "results" / "runs" / "history"
+    parser.add_argument("--history", type=folder, default=pathlib.Path(default))
+
+
+def make_run_parser():
+    parser = Parser()
+    make_history_option(parser)
+    parser.add_argument("--paper", action="store_true")
+    parser.add_argument("--cell", action="append", default=[])
+    parser.add_argument("--out", type=folder)
+    parser.add_argument("--baseline")
+    parser.add_argument("--repetitions", type=whole(FEWEST_REPETITIONS, 9999),
+                        default=FEWEST_REPETITIONS)
+    parser.add_argument("--no-times", dest="timing", action="store_false")
+    for name, default in (("min-change", 3), ("max-spread", 15), ("max-others", 25)):
+        parser.add_argument(f"--{name}", type=per_cent, default=default / 100)
+    parser.add_argument("--calibration", choices=("numpy", NONE), default="numpy")
+    parser.add_argument("--machine")
+    parser.add_argument("--context", choices=("auto", "egl", "osmesa"), default="auto")
+    parser.add_argument("--seed", type=whole(0, 2**53 - 1), default=1)
+    parser.add_argument("--program", type=folder)
+    parser.add_argument("--baseline-program", type=folder)
+    return parser
+
+
+def make_accept_parser():
+    parser = Parser()
+    make_history_option(parser)
+    parser.add_argument("--why", required=True)
+    parser.add_argument("--cell", action="append", default=[])
+    parser.add_argument("--who")
+    parser.add_argument("--key")
+    return parser
+
+
+def folder(text):
+    if not text:
+        raise argparse.ArgumentTypeError("expected a path, found none")
+    return pathlib.Path(text).absolute()
+
+
+def whole(low, high):
+    """The type of an option that is a whole number."""
+
+    def convert(text):
+        if not text.isascii() or not text.isdigit() or not low <= int(text) <= high:
+            raise argparse.ArgumentTypeError(f"expected a number from {low} to {high}, "
+                                             f"not '{text}'")
+        return int(text)
+    return convert
+
+
+def per_cent(text):
+    """The type of an option in per cent; a share."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value <= 100:
+        raise argparse.ArgumentTypeError(f"expected per cent from 0 to 100, not '{text}'")
+    return value / 100
+
+
+def main(arguments=None):
+    arguments = sys.argv[1:] if arguments is None else arguments
+    end_on_signals()
+    try:
+        if arguments[:1] == ["accept"]:
+            return run_accept(make_accept_parser().parse(arguments[1:]))
+        return run(make_run_parser().parse(arguments))
+    except TrackingError as error:
+        say(" ".join(str(error).split("\n")))
+    except OSError as error:
+        say(f"{error.filename or 'nightly.sh'}: {error.strerror}")
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+    return NOT_RUN
+
+
+def end_on_signals():
+    """Makes signals end this process by SystemExit, with the usual codes, so that children end and
+    what is unfinished goes. Python drops what a handler raises in the callbacks around a fork: so
+    it is raised again after RETRY_S, unless the process has ended."""
+
+    def stop(number, _):
+        def again(*_):
+            stop(number, None)
+        signal.signal(signal.SIGALRM, again)
+        signal.setitimer(signal.ITIMER_REAL, RETRY_S)
+        sys.exit(128 + number)
+
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) != signal.SIG_IGN:  # as nohup has it
+            signal.signal(number, stop)
+
+
+def run(options):
+    """A night; prints its summary."""
+    if options.baseline and options.baseline_program:
+        raise TrackingError("--baseline and --baseline-program exclude each other")
+    if options.out is None:
+        stamp = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
+        options.out = ROOT / "results" / "runs" / "nightly" / f"{stamp}-{secrets.token_hex(3)}"
+    options.rule = Rule(min_change=options.min_change, most_spread=options.max_spread,
+                        most_others=options.max_others)
+    night = run_night(options)
+    print((options.out / "summary.md").read_text(encoding="utf-8"), end="")
+    say(f"results: {options.out}")
+    return REGRESSION if is_regression(night) else SUCCESS
+
+
+def run_accept(options):
+    """Records an acceptance; prints what was accepted."""
+    path, cells, problems = accept(options.history, options.key, options.cell, options.who,
+                                   options.why)
+    for problem in problems:
+        say(problem)
+    print("\n".join(cells))
+    say(f"added to the history: {path}")
+    return SUCCESS

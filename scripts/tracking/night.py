@@ -1,0 +1,231 @@
+"""One night, from building to the file in the history."""
+
+import os
+import pathlib
+import shutil
+import statistics
+import sys
+from dataclasses import asdict
+
+from run_cells import ROOT
+
+from . import calibration, exact, timing
+from .build import Baseline, build_program, run
+from .errors import TrackingError
+from .history import append, now_utc, read_history
+from .load import OthersWatch
+from .lock import MachineLock
+from .machine import describe_machine
+from .matrix import list_cells, list_scenes, strategies_of
+from .measure import Program, measure_times
+from .output import write_night
+
+LEAST_FREE = 512 << 20  # bytes, where results, history and builds go
+CONTEXT = ("program", "distribution", "kernel", "cpu_governor", "load_average", "warnings")
+
+
+def say(text):
+    print(f"nightly.sh: {text}", file=sys.stderr)
+
+
+def run_night(options):
+    """Everything; the night as it stands in the history. Raises TrackingError."""
+    cells = list_cells(options.paper, options.cell)
+    make_folders(options)
+    with MachineLock():
+        # A baseline that cannot be had is no reason to measure half the night first.
+        base = make_baseline(options)
+        new = make_program(options)
+        if options.paper:
+            fetch_models(options)
+        for program in filter(None, (new, base)):
+            for scene in list_scenes(cells):
+                say(f"hierarchy of {scene} ({program.name})")
+                program.build_hierarchy(scene)
+        night = measure_exact(options, new, cells)
+        key = night["machine"]["key"]
+        history = read_history(options.history, key)
+        for problem in history.problems:
+            say(problem)
+        night["sequence"] = history.next_sequence
+        night["verdicts"] = {
+            cell: {"exact": exact.judge_exact(history, cell, night["exact"][cell]), "timing": None}
+            for cell in cells}
+        if options.timing:
+            measure_timing(options, new, base, cells, night, history)
+        write_night(options.out, night, history)
+        path = append(options.history, key, night, night["revision"])
+    say(f"added to the history: {path}")
+    return night
+
+
+def make_folders(options):
+    """Makes those of results and history, and refuses too little space."""
+    options.out.mkdir(parents=True, exist_ok=True)
+    if any(options.out.iterdir()):
+        raise TrackingError(f"--out: expected an empty folder or none, found {options.out} in use")
+    options.history.mkdir(parents=True, exist_ok=True)
+    places = [options.out, options.history] + ([] if options.program else [ROOT])
+    for place in places:
+        free = shutil.disk_usage(place).free
+        if free < LEAST_FREE:
+            raise TrackingError(f"{place}: no space: expected {LEAST_FREE >> 20} MiB free, found "
+                                f"{free >> 20}")
+
+
+def cache_folder():
+    """As of the other scripts (scripts/lib.sh)."""
+    return pathlib.Path(os.environ.get("HLODBENCH_CACHE") or ROOT / ".cache").absolute()
+
+
+def make_program(options):
+    path = options.program
+    if path is None:
+        say("building this checkout in build/release")
+        path = build_program(ROOT, options.out / "build.log", "this checkout")
+    return Program(path, cache_folder(), "new", options.out, ROOT / "sessions", options.context)
+
+
+def make_baseline(options):
+    """The Program compared with, or None; its hierarchies are its own."""
+    if not options.timing:
+        return None
+    if options.baseline_program:
+        path, cache = options.baseline_program, options.out / "baseline-cache"
+    elif options.baseline:
+        baseline = Baseline(ROOT, options.baseline)
+        say(f"building the baseline {baseline.revision} in {baseline.folder}")
+        path = baseline.build(options.out / "baseline-build.log")
+        cache = baseline.folder / ".cache"
+    else:
+        return None
+    return Program(path, cache, "baseline", options.out, ROOT / "sessions", options.context)
+
+
+def fetch_models(options):
+    """The dragon of the paper's scenes, where the scene files look for it."""
+    os.environ["HLODBENCH_CACHE"] = str(cache_folder())
+    log = options.out / "fetch.log"
+    if run([ROOT / "scripts" / "fetch_dragon.sh"], None, log) != 0:
+        raise TrackingError(f"--paper: the dragon could not be fetched ({log})")
+
+
+def measure_exact(options, program, cells):
+    """The exact tier: a night without sequence, timing and verdicts."""
+    values, context = {}, {}
+    for scene in list_scenes(cells):
+        strategies = strategies_of(cells, scene)
+        say(f"exact values of {scene}: {', '.join(strategies)}")
+        found, data = exact.read_exact(program.run_exact(scene, strategies))
+        context = context or data["context"]
+        for strategy in strategies:
+            if strategy not in found:
+                raise TrackingError(f"{options.out}: {scene}/{strategy}: expected a case, found "
+                                    "none")
+            values[f"{scene}/{strategy}"] = found[strategy]
+    return {"kind": "night", "sequence": 0, "time_utc": now_utc(),
+            "revision": context.get("git_revision") or "unknown",
+            "machine": describe_machine(context, options.machine),
+            "context": {key: context.get(key) for key in CONTEXT},
+            "exact": values, "timing": None, "verdicts": {}}
+
+
+def measure_timing(options, new, base, cells, night, history):
+    """The timing tier: fills in the night's timing and verdicts."""
+    missing = []
+    if base:
+        known = base.list_strategies()
+        missing = [cell for cell in cells if cell.split("/")[1] not in known]
+    timed = [cell for cell in cells if cell not in missing]
+    is_calibrated = options.calibration != calibration.NONE
+    calibrate = calibration.measure if is_calibrated else None
+    watch = OthersWatch()
+
+    def measure(which, again):
+        folder = options.out / ("timing-again" if again else "timing")
+        total = options.repetitions
+        return measure_times(which, new, base, total, options.seed + again, folder, calibrate,
+                             lambda n: say(f"times{' again' if again else ''}: repetition {n} of "
+                                           f"{total}, {len(which)} cells"))
+
+    times = measure(timed, 0)
+    seconds = list(times.calibration)
+    samples = times.cells
+    factor = find_factor(night, times.calibration)
+    verdicts, noise = {}, timing.find_noise(options.rule, watch.share(), times.calibration)
+    if not noise:
+        verdicts = {cell: judge(cell, samples[cell], factor, night, history, options.rule)
+                    for cell in timed}
+    doubtful = [cell for cell, v in verdicts.items() if v.verdict in (timing.SLOW, timing.FAST)]
+    if doubtful:
+        say(f"measured again before anything is said: {', '.join(doubtful)}")
+        times = measure(doubtful, 1)
+        seconds += times.calibration
+        noise = timing.find_noise(options.rule, watch.share(), times.calibration)
+        second_factor = find_factor(night, times.calibration)
+        for cell in doubtful:
+            first = samples[cell]
+            samples[cell] = {**times.cells[cell], "first": {**first, "calibration": factor}}
+            second = judge(cell, samples[cell], second_factor, night, history, options.rule)
+            verdicts[cell] = timing.confirm(verdicts[cell], second)
+            samples[cell]["calibration"] = second_factor
+    for cell in timed:
+        samples[cell].setdefault("calibration", factor)
+        verdict = timing.Verdict(timing.UNCLEAR, noise) if noise else verdicts[cell]
+        is_slow = verdict.verdict == timing.SLOW
+        stage = timing.find_stage(samples[cell]["stages"]) if is_slow else None
+        night["verdicts"][cell]["timing"] = {**verdict.as_dict(), "stage": stage}
+    for cell in missing:
+        verdict = timing.Verdict(timing.UNCLEAR, "the baseline has no such strategy")
+        night["verdicts"][cell]["timing"] = {**verdict.as_dict(), "stage": None}
+    revision = None
+    if base:
+        revision = options.baseline or str(options.baseline_program)
+    night["timing"] = {
+        "mode": "baseline" if base else "history", "repetitions": options.repetitions,
+        "seed": options.seed, "baseline": revision,
+        "calibration": {"workload": calibration.WORKLOAD if is_calibrated else calibration.NONE,
+                        "seconds": seconds or [1.0]},
+        "others_share": watch.share(), "rule": asdict(options.rule), "cells": samples}
+
+
+def find_factor(night, seconds):
+    """What times are divided by to compare them with other nights'. A processor's workload says
+    nothing of a GPU: there it is 1."""
+    if night["machine"]["gl_class"] == "gpu" or not seconds:
+        return 1.0
+    return statistics.median(seconds)
+
+
+def judge(cell, samples, factor, night, history, rule):
+    """The Verdict of one sample."""
+    if samples["base"]:
+        return timing.judge_pairs(samples["base"], samples["new"], rule)
+    tonight = [value / factor for value in samples["new"]]
+    workload = calibration.WORKLOAD if factor != 1.0 else None
+    return timing.judge_history(list_samples(cell, night, history, workload), tonight, rule)
+
+
+def list_samples(cell, night, history, workload):
+    """Normalised frame times of earlier nights, oldest first: of the same hierarchy and session,
+    from the night that was last accepted on, without those that were SLOW (a regression does not
+    become the norm by itself). workload: of the calibration, or None if it does not matter."""
+    accepted = None
+    for entry in history.acceptances:
+        if cell in entry.data["cells"]:
+            accepted = entry.data["night"]
+    nights = history.nights
+    first = next((i for i, entry in enumerate(nights) if entry.id == accepted), 0)
+    found = []
+    for entry in nights[first:]:
+        data = entry.data
+        samples = ((data.get("timing") or {}).get("cells") or {}).get(cell)
+        verdict = (data["verdicts"].get(cell) or {}).get("timing") or {}
+        is_slow = verdict.get("verdict") == timing.SLOW and entry.id != accepted
+        used = ((data.get("timing") or {}).get("calibration") or {}).get("workload")
+        values = data["exact"].get(cell) or {}
+        is_alike = all(values.get(k) == night["exact"][cell][k] for k in ("scene", "session"))
+        if samples and not is_slow and is_alike and (workload is None or used == workload):
+            factor = samples.get("calibration", 1.0)
+            found.append([value / factor for value in samples["new"]])
+    return found

@@ -1,0 +1,106 @@
+"""A stand-in for the program that scripts/nightly.sh measures: what it does stands in a JSON file
+beside it, PROGRAM.json, so that a test can change it from night to night.
+
+slower: share by which its frames take longer. noise: relative deviation of its frame times.
+add: {counter: number added to the counter in one frame}. picture: a number added to a pixel.
+code: it ends with this code, after a line on stderr. sleep: seconds that a timed run takes.
+strategies: those it has. renderer: its OpenGL. drop: a counter that it lacks.
+Every call of it is a line in PROGRAM.log.
+"""
+
+import json
+import pathlib
+import random
+import sys
+import time
+
+STRATEGIES = ("bool", "sw-b", "simp-b", "coh-b", "reuse-b")
+PROGRAM = """#!{python}
+import sys
+sys.path.insert(0, {folder!r})
+import fake_nightly
+sys.exit(fake_nightly.main(__file__, sys.argv[1:]))
+"""
+FRAME_MS = 20.0
+
+
+def add_program(path, **state):
+    """Makes one."""
+    path.write_text(PROGRAM.format(python=sys.executable, folder=str(pathlib.Path(__file__).parent)),
+                    encoding="utf-8")
+    path.chmod(0o755)
+    set_state(path, **state)
+    return path
+
+
+def set_state(path, **state):
+    path.with_name(path.name + ".json").write_text(json.dumps(state), encoding="utf-8")
+
+
+def read_calls(path):
+    """The arguments of its calls."""
+    log = path.with_name(path.name + ".log")
+    return [json.loads(line) for line in log.read_text(encoding="utf-8").splitlines()]
+
+
+def main(program, arguments):
+    with open(program + ".log", "a", encoding="utf-8") as log:
+        log.write(json.dumps(arguments) + "\n")
+    state = json.loads(pathlib.Path(program + ".json").read_text(encoding="utf-8"))
+    if arguments[0] == "list":
+        names = state.get("strategies", STRATEGIES)
+        print("Strategies (--strategy):\n" + "".join(f"  {n:15}{n}\n" for n in names)
+              + "\nContexts (--context):\n  auto           any")
+        return 0
+    if arguments[0] == "build":
+        pathlib.Path(arguments[arguments.index("-o") + 1]).write_text("tree", encoding="utf-8")
+        return 0
+    values = dict(zip(arguments[1::2], arguments[2::2]))
+    if state.get("code"):
+        print("a line\nhlodbench: the reason why", file=sys.stderr)
+        return state["code"]
+    folder = pathlib.Path(values["--out"])
+    if values["--latency"] == "gl":
+        time.sleep(state.get("sleep", 0))
+        write_timed(folder, values, state)
+    else:
+        write_exact(folder, values, state)
+    return 0
+
+
+def write_timed(folder, values, state):
+    """Without numpy, as there are many of them."""
+    # the folder is PASS/SCENE/.STRATEGY.REPETITION.SIDE.HOST.PROCESS
+    place = (folder.parts[-3], *folder.name.split(".")[1:4], state.get("seed"))
+    chance = random.Random(" ".join(map(str, place)))
+    ms = FRAME_MS * (1 + state.get("slower", 0)) * (1 + chance.gauss(0, state.get("noise", 0.005)))
+    counters = {"draw_ms": {"mean": 3.0}, "query_ms": {"mean": 1.0 + ms - FRAME_MS}}
+    folder.mkdir(parents=True)
+    (folder / "run.json").write_text(json.dumps({
+        "schema_version": "1.0.0", "context": {}, "scene": {"name": "courtyard"},
+        "session": {"name": "courtyard", "frames": 10},
+        "cases": [{"strategy": values["--strategy"], "repetition": 0, "csv": None, "error": None,
+                   "summary": {"fps": 1000 / ms, "counters": counters}}]}), encoding="utf-8")
+
+
+def write_exact(folder, values, state):
+    """Changed in frame 7, which is no warm-up."""
+    import fake_run  # pylint: disable=import-outside-toplevel
+
+    def edit(pictures):
+        for pixels in pictures.values():
+            pixels[0, 0, 0] ^= state.get("picture", 0)
+
+    run = fake_run.make_run(folder, values["--strategy"].split(","), frames=12, repetitions=1,
+                            image_frames=(6, 9), overlays=(), scene="courtyard", edit=edit)
+    for case in run.data["cases"]:
+        path = folder / case["csv"]
+        lines = [line.split(",") for line in path.read_text(encoding="utf-8").splitlines()]
+        for counter, number in state.get("add", {}).items():
+            field = lines[8][lines[0].index(counter)] or "0"
+            lines[8][lines[0].index(counter)] = f"{float(field) + number:.9g}"
+            case["summary"]["counters"][counter]["mean"] += number / case["summary"]["frames"]
+        path.write_text("\n".join(map(",".join, lines)) + "\n", encoding="utf-8")
+        case["summary"]["counters"].pop(state.get("drop"), None)
+    run.data["context"]["gl"]["renderer"] = state.get("renderer", "llvmpipe")
+    fake_run.write_json(folder / "run.json", run.data)
