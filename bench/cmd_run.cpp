@@ -134,6 +134,7 @@ void addRunCommand(CLI::App& app, const std::vector<std::string>& arguments) {
       if (sub->count("--tau") == 0) o->traversal.tau = kBestTau;
       if (sub->count("--faces") == 0) o->faces = FaceCulling::kBackWhereConsistent;
     }
+    o->replay.slowdown = readSlowdown();
     Heartbeat alone;
     Watch watch{&alone};
     // plug-ins may crash

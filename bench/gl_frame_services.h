@@ -5,6 +5,7 @@
 #include "hlod/query/query_source.h"
 #include "hlod/render/renderer.h"
 #include "metrics/counters.h"
+#include "test_slowdown.h"
 #include "traversals/frame_services.h"
 
 namespace hlodbench {
@@ -27,11 +28,13 @@ inline void storeServiceTimes(const ServiceTimes& times, double strategyMs, Fram
 // Joins a renderer and a query source to what a strategy asks for, and times it.
 class GlFrameServices final : public FrameServices {
  public:
-  GlFrameServices(Renderer& renderer, QuerySource& queries)
-      : renderer_(renderer), queries_(queries) {}
+  using Clock = std::chrono::steady_clock;
+
+  GlFrameServices(Renderer& renderer, QuerySource& queries, const Slowdown& slowdown = {})
+      : renderer_(renderer), queries_(queries), slowdown_(slowdown) {}
 
   void draw(NodeId node) override {
-    const Lap lap(draw_);
+    const Lap lap(draw_, slowdown_.draw);
     renderer_.drawNode(node);
     queries_.noteDraw();
   }
@@ -43,23 +46,27 @@ class GlFrameServices final : public FrameServices {
       FrameServices::drawAll(nodes);
       return;
     }
-    const Lap lap(draw_);
+    const Lap lap(draw_, slowdown_.draw);
     renderer_.drawNodes(nodes);
     for (std::size_t i = 0; i < nodes.size(); ++i) queries_.noteDraw();
   }
   void issueQuery(NodeId node) override {
-    const Lap lap(query_);
+    const Lap lap(query_, slowdown_.query);
     queries_.issue(node);
   }
   bool isAvailable(NodeId node) override {
-    const Lap lap(query_);
+    const Lap lap(query_, slowdown_.query);
     return queries_.isAvailable(node);
   }
   std::uint32_t getResult(NodeId node) override {
-    const Lap lap(wait_);
+    const Lap lap(wait_, slowdown_.query);
     return queries_.getResult(node);
   }
 
+  // The time since `start` that went into none of these calls.
+  [[nodiscard]] Clock::duration timeOfCaller(Clock::time_point start) const {
+    return Clock::now() - start - draw_ - query_ - wait_;
+  }
   // Of the calls since it was last asked.
   ServiceTimes takeTimes() {
     const ServiceTimes times{toMs(draw_), toMs(query_), toMs(wait_)};
@@ -68,17 +75,21 @@ class GlFrameServices final : public FrameServices {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   // Adds its own lifetime to a sum.
   class Lap {
    public:
-    explicit Lap(Clock::duration& sum) : sum_(sum), start_(Clock::now()) {}
-    ~Lap() { sum_ += Clock::now() - start_; }
+    Lap(Clock::duration& sum, double slowdown)
+        : sum_(sum), slowdown_(slowdown), start_(Clock::now()) {}
+    ~Lap() {
+      if (slowdown_ > 0.0) spin(Clock::now() - start_, slowdown_);
+      sum_ += Clock::now() - start_;
+    }
     Lap(const Lap&) = delete;
     Lap& operator=(const Lap&) = delete;
 
    private:
     Clock::duration& sum_;
+    double slowdown_;
     Clock::time_point start_;
   };
   static double toMs(Clock::duration duration) {
@@ -87,6 +98,7 @@ class GlFrameServices final : public FrameServices {
 
   Renderer& renderer_;
   QuerySource& queries_;
+  Slowdown slowdown_;
   Clock::duration draw_{}, query_{}, wait_{};
 };
 

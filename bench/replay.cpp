@@ -44,7 +44,7 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
                                        const ReplayOptions& options, const ReplayHooks& hooks) {
   std::vector<FrameRecord> records;
   records.reserve(session.poses.size());
-  GlFrameServices services(renderer, queries);
+  GlFrameServices services(renderer, queries, options.slowdown);
   FramePacer pacer(options.framesInFlight);
   GpuTimer timer;
   Trace trace;
@@ -63,6 +63,8 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     renderer.beginFrame(camera);
     const auto strategyStart = Clock::now();
     strategy.renderFrame(camera, services, record, isTraced ? &trace : nullptr);
+    if (options.slowdown.traversal > 0.0)
+      spin(services.timeOfCaller(strategyStart), options.slowdown.traversal);
     storeServiceTimes(services.takeTimes(), computeMs(Clock::now() - strategyStart), record);
     storeResidency(renderer, record);
     timer.endFrame();

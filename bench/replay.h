@@ -7,6 +7,7 @@
 #include "hlod/render/renderer.h"
 #include "metrics/counters.h"
 #include "session.h"
+#include "test_slowdown.h"
 #include "traversals/strategy.h"
 
 namespace hlodbench {
@@ -14,6 +15,7 @@ namespace hlodbench {
 struct ReplayOptions {
   int warmUpFrames = 5;    // first frames of the session that are marked as warm-up
   int framesInFlight = 1;  // frames that the CPU may run ahead; 0 finishes each frame
+  Slowdown slowdown = {};  // for tests
 };
 
 // What happened in one frame, for the trace.

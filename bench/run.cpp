@@ -199,6 +199,8 @@ class Runner {
     const std::string otherScene =
         describeOtherScene(session_, stored_.sceneName, stored_.info.sceneHash);
     if (!otherScene.empty()) result_.warnings.push_back(otherScene);
+    if (options_.replay.slowdown.isAny())
+      result_.warnings.push_back(describeSlowdown(options_.replay.slowdown));
     for (const std::string& warning : result_.warnings)
       fmt::print(stderr, "warning: {}\n", warning);
     result_.scene = {stored_.sceneName,
