@@ -6,6 +6,7 @@ import shutil
 import subprocess
 
 import pytest
+from small_scene import write_walls
 from stand_ins import CMAKE, DPKG_QUERY, HLODBENCH, PYTHON, add_program
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -35,6 +36,16 @@ def hlodbench():
         )
 
     return run
+
+
+@pytest.fixture(scope="module")
+def walls_hlod(hlodbench, tmp_path_factory):
+    """The hierarchy of a small scene, not to be written to."""
+    folder = tmp_path_factory.mktemp("walls")
+    file = folder / "walls.hlod"
+    result = hlodbench("build", write_walls(folder), "-o", file, "--max-triangles", "200")
+    assert result.returncode == 0, result.stderr
+    return file
 
 
 @pytest.fixture

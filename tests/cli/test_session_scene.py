@@ -2,39 +2,29 @@
 
 import json
 
-import pytest
-from small_scene import past_the_walls, write_session, write_walls
+from small_scene import past_the_walls, write_session
 
 
-@pytest.fixture(scope="module")
-def hlod(hlodbench, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("walls")
-    file = folder / "walls.hlod"
-    result = hlodbench("build", write_walls(folder), "-o", file, "--max-triangles", "200")
-    assert result.returncode == 0, result.stderr
-    return file
-
-
-def run(hlodbench, hlod, out, **keys):
+def run(hlodbench, walls_hlod, out, **keys):
     """What run.json and the error stream say of a session with these keys."""
     session = write_session(out.with_suffix(".json"), past_the_walls(3), **keys)
     options = ["--strategy", "bool", "--warm-up", "0", "--repetitions", "1"]
-    result = hlodbench("run", "--scene", hlod, "--session", session, "--out", out, *options)
+    result = hlodbench("run", "--scene", walls_hlod, "--session", session, "--out", out, *options)
     assert result.returncode == 0, result.stderr
     content = json.loads((out / "run.json").read_text(encoding="utf-8"))
     return content["scene"]["build"]["scene_hash"], content["context"]["warnings"], result.stderr
 
 
-def test_only_another_scene_is_warned_of(hlodbench, hlod, tmp_path):
-    own, warnings, _ = run(hlodbench, hlod, tmp_path / "none")
+def test_only_another_scene_is_warned_of(hlodbench, walls_hlod, tmp_path):
+    own, warnings, _ = run(hlodbench, walls_hlod, tmp_path / "none")
     assert not any("recorded" in w for w in warnings)
 
     scene = {"name": "walls", "hash": own}
-    _, warnings, errors = run(hlodbench, hlod, tmp_path / "same", scene=scene)
+    _, warnings, errors = run(hlodbench, walls_hlod, tmp_path / "same", scene=scene)
     assert not any("recorded" in w for w in warnings) and "recorded" not in errors
 
     other = {"name": "two\nbunnies", "hash": "0123456789abcdef"}
-    _, warnings, errors = run(hlodbench, hlod, tmp_path / "other", scene=other)
+    _, warnings, errors = run(hlodbench, walls_hlod, tmp_path / "other", scene=other)
     line = (
         "the session 'path' was recorded in scene 'two bunnies' (0123456789abcdef), "
         f"this is 'walls' ({own})"

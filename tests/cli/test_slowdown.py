@@ -4,25 +4,15 @@ import csv
 import json
 import os
 
-import pytest
-from small_scene import past_the_walls, write_session, write_walls
+from small_scene import past_the_walls, write_session
 
 VARIABLE = "HLODBENCH_TEST_SLOWDOWN"
 COUNTS = ("dn", "rarn", "d", "queries", "triangles", "nodes_visited")
 
 
-@pytest.fixture(scope="module")
-def hlod(hlodbench, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("walls")
-    file = folder / "walls.hlod"
-    result = hlodbench("build", write_walls(folder), "-o", file, "--max-triangles", "200")
-    assert result.returncode == 0, result.stderr
-    return file
-
-
-def run(hlodbench, hlod, out, slowdown):
+def run(hlodbench, walls_hlod, out, slowdown):
     session = write_session(out.with_suffix(".json"), past_the_walls(6))
-    return hlodbench("run", "--scene", hlod, "--session", session, "--out", out,
+    return hlodbench("run", "--scene", walls_hlod, "--session", session, "--out", out,
                      "--strategy", "coh-b", "--warm-up", "0", "--latency", "draws:3", "--images",
                      "none", env={**os.environ, VARIABLE: slowdown})
 
@@ -34,12 +24,12 @@ def read(out):
     return [[row[name] for name in COUNTS] for row in rows], warnings
 
 
-def test_a_run_says_that_it_was_slowed_down_and_counts_the_same(hlodbench, hlod, tmp_path):
-    assert run(hlodbench, hlod, tmp_path / "plain", "").returncode == 0
+def test_a_run_says_that_it_was_slowed_down_and_counts_the_same(hlodbench, walls_hlod, tmp_path):
+    assert run(hlodbench, walls_hlod, tmp_path / "plain", "").returncode == 0
     counts, warnings = read(tmp_path / "plain")
     assert not any("slowed down" in warning for warning in warnings)
 
-    slow = run(hlodbench, hlod, tmp_path / "slow", "draw=50,query=20,traversal=10")
+    slow = run(hlodbench, walls_hlod, tmp_path / "slow", "draw=50,query=20,traversal=10")
     assert slow.returncode == 0, slow.stderr
     slow_counts, warnings = read(tmp_path / "slow")
     assert slow_counts == counts
@@ -48,8 +38,8 @@ def test_a_run_says_that_it_was_slowed_down_and_counts_the_same(hlodbench, hlod,
     assert f"warning: {line}" in slow.stderr.splitlines()
 
 
-def test_a_stage_that_there_is_not_is_refused(hlodbench, hlod, tmp_path):
-    result = run(hlodbench, hlod, tmp_path / "bad", "sleep=5")
+def test_a_stage_that_there_is_not_is_refused(hlodbench, walls_hlod, tmp_path):
+    result = run(hlodbench, walls_hlod, tmp_path / "bad", "sleep=5")
     assert result.returncode == 2
     assert f"{VARIABLE}: expected stages (draw, query, traversal)" in result.stderr
     assert not (tmp_path / "bad").exists()
