@@ -3,8 +3,8 @@
 PELT [KFE]: of all ways to cut the series into segments, the one whose segments are closest to their
 means, at a price for each cut. The price is the modified BIC [ZS]: 3 log n a cut, and the logarithm
 of each segment's length. The noise is the robust one of the differences between neighbours, which a
-few steps do not enlarge; what stands out of its five neighbours' median by more than two of it is
-pulled in to that [H], so that one bad night is no change.
+few steps do not enlarge; what stands out of the median of five neighbours by more than five of it
+is replaced by that (a Hampel filter [H]), so that one bad night is no change.
 
 [KFE] R. Killick, P. Fearnhead, I. A. Eckley: Optimal Detection of Changepoints With a Linear
       Computational Cost. Journal of the American Statistical Association 107, 2012.
@@ -23,7 +23,7 @@ from .statistics import NORMAL_MAD
 FEWEST_NIGHTS = 12  # fewer tell too little of the noise
 FEWEST_IN_SEGMENT = 3
 NEIGHBOURS = 2  # on either side
-MOST_DEVIATIONS = 2
+MOST_DEVIATIONS = 5
 LEAST_NOISE = 1e-6  # relative: a series that only steps has no noise at all
 
 
@@ -58,7 +58,7 @@ def find_change_points(values):
     scale = float(np.median(values[places]))
     logs = np.log(values[places] / scale)  # near 0, where squares lose nothing
     noise = max(NORMAL_MAD * float(np.median(np.abs(np.diff(logs)))) / np.sqrt(2), LEAST_NOISE)
-    logs = pull_in(logs, noise)
+    logs = drop_outliers(logs, noise)
     cuts = cut(logs / noise, 3 * np.log(len(logs)), FEWEST_IN_SEGMENT)
     bounds = [0, *cuts, len(logs)]
     levels = [scale * float(np.exp(logs[a:b].mean())) for a, b in zip(bounds, bounds[1:])]
@@ -66,15 +66,15 @@ def find_change_points(values):
             for at, before, after in zip(cuts, levels, levels[1:])]
 
 
-def pull_in(values, noise):
-    """The values, each at most MOST_DEVIATIONS of the noise from its neighbours' median. Steps of
-    more than NEIGHBOURS values stay where they are."""
-    pulled = np.array(values, dtype=float)
-    for i in range(len(pulled)):
+def drop_outliers(values, noise):
+    """The values, with their neighbours' median for those that are more than MOST_DEVIATIONS of the
+    noise from it. Steps of more than NEIGHBOURS values stay where they are."""
+    kept = np.array(values, dtype=float)
+    for i, value in enumerate(values):
         middle = np.median(values[max(0, i - NEIGHBOURS) : i + NEIGHBOURS + 1])
-        reach = MOST_DEVIATIONS * noise
-        pulled[i] = np.clip(values[i], middle - reach, middle + reach)
-    return pulled
+        if abs(value - middle) > MOST_DEVIATIONS * noise:
+            kept[i] = middle
+    return kept
 
 
 def cut(values, price, shortest):

@@ -6,8 +6,8 @@ import pytest
 
 np = pytest.importorskip("numpy", reason="needs python3-numpy")
 
-from tracking.change_points import (ChangePoint, cut, find_change_points,  # noqa: E402
-                                    find_steps, pull_in)
+from tracking.change_points import (ChangePoint, cut, drop_outliers,  # noqa: E402
+                                    find_change_points, find_steps)
 
 NIGHTS = 60
 
@@ -114,8 +114,8 @@ def test_no_other_segments_are_cheaper(shortest):
             assert all(b - a >= shortest for a, b in zip((0, *found), (*found, 11)))
 
 
-def test_only_what_stands_out_is_pulled_in():
-    values = np.array([0.0, 1, 0, 100, 0, 1, 0, 50, 50, 50, 50])
-    pulled = pull_in(values, 1.0)
-    assert pulled[3] == 3.0 and list(pulled[7:]) == [50] * 4
-    assert list(pulled[:3]) == [0, 1, 0]
+def test_only_what_stands_out_is_dropped():
+    values = np.array([0.0, 1, 0, 100, 1, 1, 0, 50, 50, 50, 50])
+    kept = drop_outliers(values, 1.0)
+    assert kept[3] == 1.0 and list(kept[7:]) == [50] * 4
+    assert list(kept[:3]) == [0, 1, 0]
