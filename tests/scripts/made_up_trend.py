@@ -43,8 +43,9 @@ def make_night(number, rng, machine, slower_from=SLOWER_FROM, revision=None):
             verdicts[cell]["timing"] = {
                 "verdict": "SLOW" if is_slow else "SAME",
                 "reason": "p = 0.001, A12 = 1.00" if is_slow else "interval within +-3 %",
-                "change": 0.12 if is_slow else 0.001, "low": -0.01, "high": 0.13, "p": 0.001,
-                "a12": 1.0, "stage": "draw_ms +1 ms" if is_slow else None}
+                "change": 0.12 if is_slow else 0.001, "low": 0.1 if is_slow else -0.01,
+                "high": 0.13 if is_slow else 0.01, "p": 0.001, "a12": 1.0,
+                "stage": "draw_ms +1 ms" if is_slow else None}
     timing = {"mode": "baseline", "repetitions": 9, "seed": 1, "baseline": "v0.1",
               "calibration": {"workload": "numpy-1/2", "seconds": [1.5]}, "others_share": 0.01,
               "rule": {"min_change": 0.03}, "cells": cells}

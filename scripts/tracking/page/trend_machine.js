@@ -10,7 +10,9 @@ class TrendMachine {
     this.hidden = new Set(); // strategies
     for (const [name, step] of [["previous", -1], ["next", 1]])
       part(section, name).addEventListener("click", () => this.step(step));
-    part(section, "reset").addEventListener("click", () => this.plots && this.plots.setRange(null));
+    const reset = part(section, "reset");
+    reset.disabled = this.data.frames < 2;
+    reset.addEventListener("click", () => this.plots && this.plots.setRange(null));
   }
 
   /** Shows or hides the machine, and plots what is chosen. hidden: a Set of strategies. */
@@ -28,7 +30,11 @@ class TrendMachine {
           this.hovered = night;
           this.fillNight();
         },
-        click: (night) => this.choose(night),
+        click: (night) => {
+          // dygraphs lets the focus be, and in a list the arrow keys would choose from it.
+          document.activeElement.blur();
+          this.choose(night);
+        },
         zoom: () => {},
       });
       this.plots.hidden = hidden;
@@ -48,6 +54,7 @@ class TrendMachine {
   /** ← and →. */
   step(direction) {
     if (!this.data.frames) return;
+    this.hovered = null;
     this.choose(Math.min(this.data.frames - 1, Math.max(0, this.night + direction)));
   }
 
@@ -74,9 +81,10 @@ class TrendMachine {
                 button.addEventListener("click", () => this.choose(night));
                 const { revision, subject } = this.data.nights[night];
                 const share = before ? 100 * (after / before - 1) : NaN;
+                const sign = share > 0 ? "+" : "";
                 return [button, revision, make("span", {}, ...this.name(strategy)),
                         this.format(before), this.format(after),
-                        Number.isFinite(share) ? `${share > 0 ? "+" : ""}${share.toPrecision(3)} %` : DASH,
+                        Number.isFinite(share) ? `${sign}${share.toPrecision(3)} %` : DASH,
                         subject];
               }));
   }

@@ -1,5 +1,7 @@
 // A counter over the nights, with bands for intervals and marks for what changed.
 
+const MANY_NIGHTS = 150; // so many dots hide the line
+
 /** Text that dygraphs puts into the page as markup: what could be any is left out. */
 function makePlain(text) {
   return text.replace(/[^\w.:+-]/g, "");
@@ -22,11 +24,9 @@ class TrendPlots extends PlotGroup {
 
   makeOptions(self) {
     const options = super.makeOptions(self);
-    const label = (night) => Number.isInteger(night) && this.data.nights[night] ?
-      this.data.shortName(night).map(makePlain).join("<br>") : "";
-    options.axes.x = { drawGrid: false, pixelsPerLabel: 100, axisLabelWidth: 90,
-                       axisLabelFormatter: label };
-    // A night has no neighbours closer than 1: fractions of nights get no tick.
+    const label = (night) => this.data.shortName(night).map(makePlain).join("<br>");
+    options.axes.x = { drawGrid: false, pixelsPerLabel: 100, axisLabelWidth: 90 };
+    // Only whole nights get a tick.
     options.axes.x.ticker = (first, last, pixels) => this.makeTicks(first, last, pixels, label);
     const drawPoint = (plot, name, context, x, y, color, size, night) =>
       this.drawPoint(name, context, x, y, color, size, night);
@@ -38,7 +38,8 @@ class TrendPlots extends PlotGroup {
       xRangePad: 12,
       xAxisHeight: 38,
       drawPoints: true,
-      pointSize: 2,
+      pointSize: this.data.frames === 1 ? 4 : this.data.frames > MANY_NIGHTS ? 1.2 : 2,
+      dateWindow: this.range || (this.data.frames === 1 ? [-1, 1] : null),
       drawPointCallback: drawPoint,
     };
   }
