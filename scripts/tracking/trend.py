@@ -71,8 +71,9 @@ def list_foreign(folder):
     """A line for each thing in the history's folder that no nightly.sh has put there."""
     if not folder.is_dir():
         return []
-    return [f"{path}: expected the folder of a machine, skipped" for path in sorted(folder.iterdir())
-            if not path.name.startswith(".") and not (path.is_dir() and KEY.fullmatch(path.name))
+    return [f"{path}: expected the folder of a machine, skipped"
+            for path in sorted(folder.iterdir()) if not path.name.startswith(".")
+            and not (path.is_dir() and KEY.fullmatch(path.name))
             and (path.is_dir() or path.suffix == ".json")]
 
 

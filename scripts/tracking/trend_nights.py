@@ -53,7 +53,8 @@ def describe_cell(verdicts):
         reasons.append(str(timing.get("reason") or ""))
     if timing.get("stage"):
         reasons.append(f"most of it in {timing['stage']}")
-    return [exact.get("verdict") or "", timing.get("verdict") or "", "; ".join(filter(None, reasons))]
+    said = "; ".join(filter(None, reasons))
+    return [exact.get("verdict") or "", timing.get("verdict") or "", said]
 
 
 def describe_differences(differences):
@@ -70,8 +71,8 @@ def describe_differences(differences):
 
 def find_links(data, folder, page):
     """[text, URL relative to the page] of what the night left and is still there."""
-    place = (data.get("context") or {}).get("results") if isinstance(data.get("context"), dict) \
-        else None
+    context = data.get("context")
+    place = context.get("results") if isinstance(context, dict) else None
     if not isinstance(place, str) or not place or "\0" in place:
         return []
     found = []

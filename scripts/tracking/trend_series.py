@@ -44,8 +44,9 @@ def describe(key):
 def make_series(nights):
     """{scene: {counter: {strategy: series}}} of a machine's nights, in order.
 
-    Of an exact counter a series is {"runs": [[value or None, nights in a row]], "changes"}; of times
-    {"values", "low", "high", "changes"}. A change is [index of the night, level before, after].
+    Of an exact counter a series is {"runs": [[value or None, nights in a row]], "changes"}; of
+    times {"values", "low", "high", "changes"}. A change is [index of the night, level before,
+    after].
     """
     scenes = {}
     for cell in dict.fromkeys(cell for night in nights for cell in _cells(night)):
@@ -102,7 +103,11 @@ def _find_workload(night):
 
 def _find_ratio(sample):
     is_paired = len(sample["base"]) == len(sample["new"])
-    change = (compute_paired_change if is_paired else compute_change)(sample["base"], sample["new"])
+    compute = compute_paired_change if is_paired else compute_change
+    try:
+        change = compute(sample["base"], sample["new"])
+    except OverflowError:  # no times of this world
+        return None
     return 1 + change.value, 1 + change.low, 1 + change.high
 
 

@@ -14,7 +14,8 @@ pytest.importorskip("PIL", reason="needs python3-pil")
 
 import made_up_trend  # noqa: E402
 import report_page  # noqa: E402
-from made_up_nights import CELL, KEY, add_night, make_acceptance, make_night  # noqa: E402
+from made_up_nights import (CELL, KEY, add_night, make_acceptance, make_night,  # noqa: E402
+                            make_times)
 from made_up_trend import DN_FROM, KEYS, SLOWER_FROM, UNTIMED  # noqa: E402
 from tracking.commits import find_subjects  # noqa: E402
 from tracking.history import append  # noqa: E402
@@ -153,6 +154,23 @@ def test_nights_without_a_counter_or_cell_have_none():
     assert series["dn"]["coh-b"]["changes"] == [] and "dn.frames" not in series
     assert [c["key"] for c in list_counters([{"s": {"dn": {}, "time.ms": {}}}])] == ["time.ms", "dn"]
     assert find_runs([1, 1, None, None, 1]) == [[1, 2], [None, 2], [1, 1]]
+
+
+@pytest.mark.parametrize("new, base", [(1e308, 1e-308), (1e-308, 1e308), (5e-324, 1.0)])
+def test_absurd_times_are_no_end_of_the_page(tmp_path, trend, new, base):
+    night = make_night(1)
+    night["timing"] = make_times(new=[new] * 3, base=[base] * 3)
+    append(tmp_path / "history", KEY, night, "a")
+    assert trend().returncode == 0
+    assert data_of(page_of(tmp_path))["nights"]
+
+
+def test_a_number_that_is_too_large_is_damage(tmp_path, trend):
+    add_night(tmp_path / "history", 1)
+    add_night(tmp_path / "history", 2, dn=10**400)
+    done = trend()
+    assert done.returncode == 0 and "expected a number" in done.stderr
+    assert len(data_of(page_of(tmp_path))["nights"]) == 1
 
 
 # Text of files

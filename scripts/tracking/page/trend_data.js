@@ -14,7 +14,7 @@ class TrendData {
     this.scene = scene;
     this.counter = this.shared.counters.find((entry) => entry.key === counter);
     const found = (this.series[scene] || {})[counter] || {};
-    this.lines = {};
+    this.lines = Object.create(null); // whatever strategies are called
     for (const [strategy, line] of Object.entries(found)) this.lines[strategy] = this.unfold(line);
     this.plotted = this.shared.strategies.map((s) => s.id).filter((s) => s in this.lines);
   }

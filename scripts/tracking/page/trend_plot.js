@@ -49,7 +49,8 @@ class TrendPlots extends PlotGroup {
     const to = Math.min(this.data.frames - 1, Math.floor(last));
     const step = Math.max(1, Math.ceil((to - from + 1) * 100 / Math.max(pixels, 100)));
     const ticks = [];
-    for (let night = from; night <= to; night += step) ticks.push({ v: night, label: label(night) });
+    for (let night = from; night <= to; night += step)
+      ticks.push({ v: night, label: label(night) });
     return ticks;
   }
 
