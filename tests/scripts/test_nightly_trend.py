@@ -3,6 +3,7 @@
 import json
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 
@@ -35,12 +36,12 @@ def library(tmp_path_factory):
 def trend(tmp_path, library):
     """Runs it on tmp_path/history."""
 
-    def run(*arguments):
+    def run(*arguments, **options):
         return subprocess.run(
             [sys.executable, ROOT / "scripts/nightly.py", "trend", "--history",
              tmp_path / "history", "--out", tmp_path / "out/trend.html", "--plot-library", library,
              *map(str, arguments)],
-            cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120)
+            cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120, **options)
     return run
 
 
@@ -286,8 +287,10 @@ def test_a_page_that_cannot_be_written_leaves_the_old_one(tmp_path, trend):
     assert done.returncode == 2 and len(done.stderr.splitlines()) == 1
     done = trend("--plot-library", tmp_path)
     assert done.returncode == 2 and "dygraphs" in done.stderr
+    done = trend(preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (9000, 9000)))
+    assert done.returncode == 2 and "too large" in done.stderr  # as on a disk that is full
     assert (tmp_path / "out/trend.html").read_bytes() == before
-    assert list(tmp_path.glob(".*.tmp")) == []
+    assert [p.name for p in (tmp_path / "out").iterdir()] == ["trend.html"]
 
 
 @pytest.mark.parametrize("arguments", [("--no-such-option",), ("stray",), ("--out", ""),
