@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Usage: scripts/nightly.sh [OPTION...]
 #        scripts/nightly.sh accept --why TEXT [--cell CELL]... [--who NAME] [--key KEY] [--history DIR]
+#        scripts/nightly.sh trend [--out FILE] [--machine KEY]... [--history DIR] [--plot-library DIR]
 #
 # Measures this checkout, compares it with earlier nights and with a baseline, adds the night to a
 # history and says whether anything is worse (docs/nightly.md). Two tiers: exact values (nodes,
@@ -35,6 +36,11 @@
 #   --cell CELL        only this one; may be repeated (all that changed)
 #   --who NAME         who accepts it (git's user)
 #   --key KEY          of which machine: the beginning of its folder's name (the only one)
+#
+# trend makes one HTML file of the history, which loads nothing:
+#   --out FILE         the page (results/runs/nightly/trend.html)
+#   --machine KEY      only this machine: the beginning of its folder's name; may be repeated (all)
+#   --plot-library DIR  has dygraph.min.js and dygraph.min.css (/usr/share/javascript/dygraphs)
 #
 # Safe to kill at any moment, to run twice at once (measuring waits for its turn) and from several
 # machines into one history. stdout has the summary; all else is on stderr.

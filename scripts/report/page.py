@@ -5,6 +5,7 @@ import hashlib
 import json
 import pathlib
 import re
+from dataclasses import dataclass
 
 import jinja2
 from markupsafe import Markup
@@ -12,8 +13,8 @@ from markupsafe import Markup
 PAGE_FOLDER = pathlib.Path(__file__).resolve().parent / "page"
 STYLES = ("base.css", "tables.css", "scene.css", "sweep.css", "print.css")
 # In the order in which they build on one another.
-SCRIPTS = ("dom.js", "data.js", "theme.js", "copy.js", "plot.js", "compare.js", "viewer.js",
-           "scene.js", "sweep.js", "print.js", "main.js")
+SCRIPTS = ("dom.js", "data.js", "theme.js", "copy.js", "plot.js", "swatch.js", "compare.js",
+           "viewer.js", "scene.js", "sweep.js", "print.js", "main.js")
 
 
 class MissingLibrary(Exception):
@@ -71,16 +72,31 @@ def guard(code):
     return re.sub(r"<(?=/script|!--)", r"<\\", code, flags=re.IGNORECASE)
 
 
-def render_page(library, content):
-    """The page as text. library: of read_library(); content: the variables of page.html."""
-    loader = jinja2.FileSystemLoader(PAGE_FOLDER)
+@dataclass(frozen=True)
+class Parts:
+    """The files that a page is made of, found in the first of the folders that has them."""
+
+    folders: tuple = (PAGE_FOLDER,)
+    template: str = "page.html"
+    styles: tuple = STYLES
+    scripts: tuple = SCRIPTS
+
+    def read(self, name):
+        """The text of one."""
+        path = next(folder / name for folder in self.folders if (folder / name).is_file())
+        return path.read_text(encoding="utf-8")
+
+
+def render_page(library, content, parts=Parts()):
+    """The page as text. library: of read_library(); content: the variables of the template."""
+    loader = jinja2.FileSystemLoader(parts.folders)
     environment = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.StrictUndefined)
     environment.filters["dump_json"] = lambda value: dump_json(clean(value))
-    own = "\n".join((PAGE_FOLDER / name).read_text(encoding="utf-8") for name in SCRIPTS)
+    own = "\n".join(parts.read(name) for name in parts.scripts)
     scripts = [guard(library[0]), '(function () {\n"use strict";\n' + own + "\n})();"]
-    styles = [library[1]] + [(PAGE_FOLDER / n).read_text(encoding="utf-8") for n in STYLES]
-    return environment.get_template("page.html").render(
+    styles = [library[1]] + [parts.read(name) for name in parts.styles]
+    return environment.get_template(parts.template).render(
         **content,
         # Browsers hash what stands between the tags, with line ends as \n.
         scripts=[Markup(script) for script in scripts],

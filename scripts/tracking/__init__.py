@@ -19,5 +19,8 @@ accept       who took a change for good, and why
 output       the files of a night beside the history
 summary      a night as Markdown
 exporters    a night for other tools
+change_points  where a series of nights changes its level
+commits      subjects of commits
+trend        the page of the history, of trend_nights and trend_series; its parts are in page/
 simulate     how often the rule errs, from real samples
 """

@@ -17,6 +17,7 @@ from .night import run_night, say
 from .summary import is_regression
 from .timing import Rule
 
+RESULTS = ROOT / "results" / "runs" / "nightly"
 SUCCESS, REGRESSION, NOT_RUN = 0, 1, 2
 RETRY_S = 5
 FEWEST_REPETITIONS = 9  # fewer have too little power: docs/nightly.md
@@ -74,6 +75,15 @@ def make_accept_parser():
     return parser
 
 
+def make_trend_parser():
+    parser = Parser()
+    make_history_option(parser)
+    parser.add_argument("--out", type=folder, default=RESULTS / "trend.html")
+    parser.add_argument("--machine", action="append", default=[])
+    parser.add_argument("--plot-library", type=folder)
+    return parser
+
+
 def folder(text):
     if not text:
         raise argparse.ArgumentTypeError("expected a path, found none")
@@ -108,6 +118,8 @@ def main(arguments=None):
     try:
         if arguments[:1] == ["accept"]:
             return run_accept(make_accept_parser().parse(arguments[1:]))
+        if arguments[:1] == ["trend"]:
+            return run_trend(make_trend_parser().parse(arguments[1:]))
         return run(make_run_parser().parse(arguments))
     except TrackingError as error:
         say(" ".join(str(error).split("\n")))
@@ -141,7 +153,7 @@ def run(options):
         raise TrackingError("--baseline and --baseline-program exclude each other")
     if options.out is None:
         stamp = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
-        options.out = ROOT / "results" / "runs" / "nightly" / f"{stamp}-{secrets.token_hex(3)}"
+        options.out = RESULTS / f"{stamp}-{secrets.token_hex(3)}"
     options.rule = Rule(min_change=options.min_change, most_spread=options.max_spread,
                         most_others=options.max_others)
     night = run_night(options)
@@ -158,4 +170,18 @@ def run_accept(options):
         say(problem)
     print("\n".join(cells))
     say(f"added to the history: {path}")
+    return SUCCESS
+
+
+def run_trend(options):
+    """Writes the page of the history; names on stderr what of it cannot be read."""
+    try:
+        from .trend import write_trend  # jinja2 is wanted for this alone
+    except ImportError as error:
+        raise TrackingError(f"trend: needs {error.name} (Debian: python3-{error.name})") from None
+    trend = write_trend(options.history, options.machine, options.out, options.plot_library)
+    for problem in trend.problems:
+        say(problem)
+    say(f"{options.out}: {trend.nights} nights of {trend.machines} machines, "
+        f"{trend.size / 1e6:.1f} MB")
     return SUCCESS

@@ -126,7 +126,9 @@ def measure_exact(options, program, cells):
     return {"kind": "night", "sequence": 0, "time_utc": now_utc(),
             "revision": context.get("git_revision") or "unknown",
             "machine": describe_machine(context, options.machine),
-            "context": {key: context.get(key) for key in CONTEXT},
+            "context": {**{key: context.get(key) for key in CONTEXT},
+                        # From the history: the trend page links to what is there.
+                        "results": os.path.relpath(options.out, options.history)},
             "exact": values, "timing": None, "verdicts": {}}
 
 

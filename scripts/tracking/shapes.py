@@ -59,6 +59,10 @@ def _check_timing(data):
 
 
 def is_number(value):
-    """Whether it is a finite number."""
-    return (isinstance(value, (int, float)) and not isinstance(value, bool)
-            and math.isfinite(value))
+    """Whether it is a finite number, and no whole one that is too large for a float."""
+    if not isinstance(value, (int, float)) or isinstance(value, bool):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False

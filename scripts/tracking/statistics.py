@@ -83,6 +83,13 @@ def compute_change(base, new, seed=1):
     return _make_change(np.median(new) - np.median(base), drawn)
 
 
+def compute_interval(values, seed=1):
+    """(median, low, high) of a sample, with a percentile bootstrap interval. Values above 0."""
+    logs = np.log(np.asarray(values, dtype=float))
+    change = _make_change(np.median(logs), np.median(logs[_draw(seed, len(logs))], axis=1))
+    return 1 + change.value, 1 + change.low, 1 + change.high
+
+
 def compute_spread(values):
     """A robust standard deviation of the values' logarithms, which is a relative one: 0.05 is 5 %."""
     logs = np.log(np.asarray(values, dtype=float))

@@ -42,7 +42,7 @@ def describe_verdict(night):
     counts = {}
     for verdicts in night["verdicts"].values():
         for part in ("exact", "timing"):
-            name = (verdicts[part] or {}).get("verdict")
+            name = (verdicts.get(part) or {}).get("verdict")
             if name in ("DIFFERENT", "SLOW", "FAST", "UNCLEAR"):
                 counts[name] = counts.get(name, 0) + 1
     said = ", ".join(f"{count} {name}" for name, count in counts.items())
@@ -51,7 +51,8 @@ def describe_verdict(night):
 
 def is_regression(night):
     """Whether the exit code is 1."""
-    return any(v["exact"]["verdict"] == "DIFFERENT" or (v["timing"] or {}).get("verdict") == "SLOW"
+    return any((v.get("exact") or {}).get("verdict") == "DIFFERENT"
+               or (v.get("timing") or {}).get("verdict") == "SLOW"
                for v in night["verdicts"].values())
 
 

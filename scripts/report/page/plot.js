@@ -24,6 +24,7 @@ class PlotGroup {
     this.container = container;
     this.data = data;
     this.events = events;
+    this.axis = "frame";
     this.hidden = new Set();
     this.frame = null;
     this.range = null; // [first, last], or null for all frames
@@ -43,14 +44,17 @@ class PlotGroup {
     const names = this.data.plotted.map((id) => this.data.label(id)).join(", ");
     const box = make("div", {
       class: "plot", role: "img", "data-counter": counter.key,
-      "aria-label": `${counter.name}${unit} by frame, of ${names}; the table below has the values`,
+      "aria-label": `${counter.name}${unit} by ${this.axis}, of ${names}; the table below has the values`,
     });
     const title = make("p", { class: "plot-title" }, counter.name + unit);
     this.container.append(title, box);
-    const rows = Array.from({ length: this.data.frames }, (_, frame) => [
-      frame, ...this.data.plotted.map((id) => this.data.value(counter.key, id, frame))]);
-    const plot = new Dygraph(box, rows, this.makeOptions(() => plot));
+    const plot = new Dygraph(box, this.makeRows(counter), this.makeOptions(() => plot));
     return plot;
+  }
+
+  makeRows(counter) {
+    return Array.from({ length: this.data.frames }, (_, frame) => [
+      frame, ...this.data.plotted.map((id) => this.data.value(counter.key, id, frame))]);
   }
 
   makeOptions(self) {

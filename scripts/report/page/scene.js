@@ -1,16 +1,5 @@
 // One scene: its controls, its plots and its viewer.
 
-/** A line with dashes (pixels on, off, on, ...) as a CSS background. */
-function makeDashes(color, dash) {
-  let end = 0;
-  const stops = dash.map((length, i) => {
-    const start = end;
-    end += length;
-    return `${i % 2 ? "transparent" : color} ${start}px ${end}px`;
-  });
-  return stops.length ? `repeating-linear-gradient(90deg, ${stops.join(", ")})` : color;
-}
-
 class Scene {
   constructor(section) {
     this.section = section;
@@ -98,22 +87,15 @@ class Scene {
     const counters = this.counters();
     const header = [`frame ${frame}`, ...counters.map((c) => c.name)];
     fillTable(part(this.section, "readout"), header, this.data.plotted.map((id) => [
-      [this.paint(make("span", { class: "swatch" }), id), " " + this.data.label(id)],
+      [paintSwatch(make("span", { class: "swatch" }), this.data.strategy(id)),
+       " " + this.data.label(id)],
       ...counters.map((c) => formatValue(this.data.value(c.key, id, frame), c.digits))]));
-  }
-
-  /** Shows in a swatch how the strategy's line looks. */
-  paint(swatch, id) {
-    const style = this.data.strategy(id);
-    if (style)  // a name with a NUL, say, does not come through HTML
-      swatch.style.background = makeDashes(isDark() ? style.darkColor : style.color, style.dash);
-    return swatch;
   }
 
   /** Takes over the colours of the page. */
   recolor() {
     for (const swatch of this.section.querySelectorAll("[data-swatch]"))
-      this.paint(swatch, swatch.dataset.swatch);
+      paintSwatch(swatch, this.data.strategy(swatch.dataset.swatch));
     if (!this.plots) return;
     this.plots.redraw();
     this.fillReadout();
