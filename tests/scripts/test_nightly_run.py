@@ -335,7 +335,10 @@ os.register_at_fork(after_in_parent=lambda: os.kill(os.getpid(), signal.SIGTERM)
 if os.fork() == 0:
     os._exit(0)
 print("dropped", flush=True)
-time.sleep(60)
+try:
+    time.sleep(60)
+finally:  # as main() does: at its end Python gives signals their defaults back
+    signal.setitimer(signal.ITIMER_REAL, 0)
 """
 
 
