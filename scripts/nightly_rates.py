@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Prints how often scripts/nightly.sh errs, as a Markdown table (docs/nightly.md).
 
-Nights are simulated from the replays of result folders and of nights (those of results/reference by
-default; or a history) by the rule that judges real ones: with nothing changed (A/A), and with frame
+Nights are simulated from the replays of result folders and of nights (five runs of
+results/reference by default; or a history) by the rule that judges real ones: with nothing changed (A/A), and with frame
 times that are longer by some share in every cell. Nothing is run.
 
 Exit codes: 0 done; 2 wrong usage or too few replays.
@@ -13,7 +13,8 @@ import pathlib
 import sys
 
 from run_cells import ROOT
-from tracking.simulate import (Setting, read_groups, share_of_cells, share_of_nights, simulate)
+from tracking.simulate import (Setting, read_groups, read_reference_groups, share_of_cells,
+                               share_of_nights, simulate)
 from tracking.timing import FAST, SAME, SLOW, UNCLEAR, Rule
 
 CHANGES = (0.02, 0.05, 0.10)
@@ -23,8 +24,8 @@ def parse_arguments():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=ROOT / "results/reference",
-                        help="folder with result folders or nights (results/reference)")
+    parser.add_argument("folder", nargs="?", type=pathlib.Path,
+                        help="folder with result folders or nights (five of results/reference)")
     parser.add_argument("--nights", type=int, default=1000, help="of each row (1000)")
     parser.add_argument("--repetitions", type=int, nargs="+", default=[9, 15, 30])
     parser.add_argument("--min-change", type=float, nargs="+", default=[3.0, 1.0], help="per cent")
@@ -41,10 +42,10 @@ def per_cent(share):
 def main():
     """Prints the table."""
     options = parse_arguments()
-    groups = read_groups(options.folder)
+    groups = read_groups(options.folder) if options.folder else read_reference_groups(ROOT)
     count = sum(len(group.deviations) for group in groups)
     if count < 10:
-        print(f"nightly_rates.py: {options.folder}: expected 10 replays or more with the driver's "
+        print(f"nightly_rates.py: {options.folder or 'results/reference'}: expected 10 replays or more with the driver's "
               f"latency, found {count}", file=sys.stderr)
         return 2
     print(f"{count} replays in {len(groups)} groups; {options.nights} nights of {options.cells} "

@@ -11,19 +11,18 @@ np = pytest.importorskip("numpy", reason="needs python3-numpy")
 import made_up_nights  # noqa: E402
 from tracking import simulate as module  # noqa: E402
 from tracking.history import append  # noqa: E402
-from tracking.simulate import (Group, Setting, read_groups, share_of_cells,  # noqa: E402
-                               share_of_nights, simulate)
+from tracking.simulate import (Group, Setting, read_groups,  # noqa: E402
+                               read_reference_groups, share_of_cells, share_of_nights, simulate)
 from tracking.timing import (FAST, SAME, SLOW, Rule, confirm,  # noqa: E402
                              judge_history)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-REFERENCE = ROOT / "results/reference"
 RULE = Rule()
 
 
 @pytest.fixture(scope="module")
 def groups():
-    return read_groups(REFERENCE)
+    return read_reference_groups(ROOT)
 
 
 @pytest.fixture(scope="module")
