@@ -39,7 +39,7 @@ void editChoice(Viewer& viewer, std::size_t pane, const plugin::OptionInfo& info
 }
 
 void editOption(Viewer& viewer, std::size_t pane, const plugin::OptionInfo& info) {
-  const plugin::OptionValues values = viewer.stage->pane(pane).ownOptions();
+  const plugin::OptionValues values = viewer.stage->pane(pane).ownOptions().values();
   switch (info.type) {
     case plugin::OptionType::kBool: {
       bool on = values.flag(info.name);

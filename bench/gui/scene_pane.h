@@ -38,7 +38,7 @@ class ScenePane {
   void configure(PaneSettings settings);
   // Sets one of the strategy's own options, as --set does; it starts cold.
   void setOption(std::string_view name, std::string_view text);
-  [[nodiscard]] plugin::OptionValues ownOptions() const { return own_->values(); }
+  [[nodiscard]] const OptionSet& ownOptions() const { return *own_; }
 
   // Renders a frame into the renderer's framebuffer and keeps what happened in it. A strategy that
   // fails is told about by takeError(), once, and not asked again until it is configured anew.

@@ -24,20 +24,6 @@ std::filesystem::path nameNew(const std::filesystem::path& folder, const std::st
       return path;
 }
 
-// Every option of a strategy as --set takes it.
-void listSettings(const ScenePane& pane, std::vector<std::string>& settings) {
-  const plugin::OptionValues values = pane.ownOptions();
-  for (const plugin::OptionInfo& option : pane.info().options) {
-    const std::string value =
-        option.type == plugin::OptionType::kInt    ? std::to_string(values.integer(option.name))
-        : option.type == plugin::OptionType::kBool ? (values.flag(option.name) ? "on" : "off")
-        : option.type == plugin::OptionType::kChoice
-            ? values.choice(option.name)
-            : fmt::format("{}", values.number(option.name));
-    settings.push_back(fmt::format("{}.{}={}", pane.info().name, option.name, value));
-  }
-}
-
 }  // namespace
 
 bool Viewer::attempt(const std::function<void()>& action) {
@@ -288,8 +274,10 @@ void Viewer::compareFrame() {
     inputs.session.poses.assign(shownPoses_.begin(), shownPoses_.end());
     inputs.plugins = options.plugins;
     for (std::size_t i = 0; i < stage->paneCount(); ++i) {
-      inputs.panes.push_back(stage->pane(i).settings());
-      listSettings(stage->pane(i), inputs.settings);
+      const ScenePane& pane = stage->pane(i);
+      inputs.panes.push_back(pane.settings());
+      for (const std::string& text : pane.ownOptions().texts())
+        inputs.settings.push_back(fmt::format("{}.{}", pane.info().name, text));
     }
     comparison.emplace(inputs, nameNew(options.folder, stored.sceneName + "-frame", ""));
     messages.tell(comparison->message());

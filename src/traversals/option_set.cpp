@@ -113,6 +113,13 @@ plugin::OptionValues OptionSet::values() const {
   return {infos_.data(), values_.data(), static_cast<std::uint32_t>(values_.size())};
 }
 
+std::vector<std::string> OptionSet::texts() const {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < infos_.size(); ++i)
+    texts.push_back(fmt::format("{}={}", infos_[i].name, describeValue(infos_[i], values_[i])));
+  return texts;
+}
+
 std::string describeRange(const OptionInfo& info) {
   switch (info.type) {
     case OptionType::kInt:

@@ -20,6 +20,8 @@ class OptionSet {
   void set(std::string_view strategy, std::string_view name, std::string_view text);
 
   [[nodiscard]] plugin::OptionValues values() const;
+  // What set() takes to come to these values, an option each: "NAME=VALUE".
+  [[nodiscard]] std::vector<std::string> texts() const;
 
  private:
   std::span<const plugin::OptionInfo> infos_;

@@ -146,15 +146,21 @@ def test_a_script_learns_that_its_picture_is_missing(view_command, relief, tmp_p
     complain(result, BAD_INPUT, picture)
 
 
-def test_a_recording_that_cannot_be_saved_is_kept(start, relief, tmp_path):
-    """The file is there already when it is to be written: it may be another's."""
-    file = tmp_path / "path.session.json"
+def record_over_another_file(start, relief, folder):
+    """A window that is told to close; the file of its recording has become another's."""
+    file = folder / "path.session.json"
     view = start(relief, "--record", file).open()
     view.press("r")
-    journal = tmp_path / "path.session.json.recording"
+    journal = folder / "path.session.json.recording"
     view.wait(lambda: count_journal_poses(journal) >= 5, "5 poses")
     file.write_text("another's", encoding="utf-8")
     view.press("ctrl+q")
+    return view, file, journal
+
+
+def test_a_recording_that_cannot_be_saved_is_kept(start, relief, tmp_path):
+    """The file is there already when it is to be written: it may be another's."""
+    view, file, journal = record_over_another_file(start, relief, tmp_path)
     view.wait_for_line(f"hlodbench: {file}: expected a new file for the session, found one")
     view.wait_for_line("hlodbench: not saved: .*")
     view.look()  # the window lives on
@@ -164,13 +170,7 @@ def test_a_recording_that_cannot_be_saved_is_kept(start, relief, tmp_path):
 
 
 def test_what_can_be_saved_at_last_is_saved(start, relief, tmp_path):
-    file = tmp_path / "path.session.json"
-    view = start(relief, "--record", file).open()
-    view.press("r")
-    journal = tmp_path / "path.session.json.recording"
-    view.wait(lambda: count_journal_poses(journal) >= 5, "5 poses")
-    file.write_text("another's", encoding="utf-8")
-    view.press("ctrl+q")
+    view, file, journal = record_over_another_file(start, relief, tmp_path)
     view.wait_for_line("hlodbench: not saved: .*")
     file.unlink()
     assert view.quit() == 0

@@ -32,6 +32,18 @@ std::string refuse(const std::vector<std::string>& settings) {
   }
 }
 
+TEST(OptionSet, TellsWhatItWouldTakeToComeToItsValues) {
+  OptionSet set(kOptions);
+  set.set("mine", "window", "7");
+  set.set("mine", "rule", "first");
+  EXPECT_THAT(set.texts(),
+              testing::ElementsAre("window=7", "decay=0.5", "eager=off", "rule=first"));
+  const StrategyInfo mine = makeInfo("mine");
+  std::vector<std::string> settings;
+  for (const std::string& text : set.texts()) settings.push_back("mine." + text);
+  EXPECT_EQ(StrategySettings({&mine}, settings).of("mine").choice("rule"), "first");
+}
+
 TEST(StrategySettings, HoldsTheDefaultsUntilSetAndStoresThem) {
   const StrategyInfo mine = makeInfo("mine");
   const StrategyInfo other = makeInfo("other");
