@@ -1,3 +1,4 @@
+#include <limits>
 #include <memory>
 
 #include "build_options.h"
@@ -71,6 +72,16 @@ void addMeasuringOptions(CLI::App& sub, RunOptions& o) {
                  "when query results are there: gl (the driver's), frames:N or draws:N after the "
                  "query (exactly repeatable counts)")
       ->capture_default_str();
+  sub.add_option(
+         "--turns", o.turns,
+         "take turns with another hlodbench that replays the same session at the same time: "
+         "the descriptor of an inherited end of a pair of connected stream sockets, from "
+         "which a byte is read before each turn, and to which one is written after it")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()));
+  sub.add_option("--turn-frames", o.turnFrames,
+                 "with --turns: frames of a turn; the last one is finished within its own time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
   sub.add_option("--seed", o.seed,
                  "of the order of the strategies in each repetition, and of "
                  "--images N and --explain N")

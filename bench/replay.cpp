@@ -51,6 +51,10 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
   glFinish();
   auto start = Clock::now();
   for (int i = 0; i < static_cast<int>(session.poses.size()) && !hooks.isInterrupted(); ++i) {
+    if (hooks.turns != nullptr && hooks.turns->beginsWith(i)) {
+      hooks.turns->take(hooks.isInterrupted);
+      start = Clock::now();
+    }
     FrameRecord& record = records.emplace_back();
     record.frame = i;
     record.warmUp = i < options.warmUpFrames;
@@ -69,7 +73,10 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     storeResidency(renderer, record);
     timer.endFrame();
     record.set(Counter::kCpuMs, readThreadCpuMs() - cpuStart);
+    const bool isLast = i + 1 == static_cast<int>(session.poses.size());
+    const bool passes = hooks.turns != nullptr && (hooks.turns->endsWith(i) || isLast);
     pacer.endFrame();
+    if (passes) glFinish();  // or the rest of this frame would be drawn in the other one's turn
     storeGpuTime(timer, records, false);
 
     const auto end = Clock::now();
@@ -79,6 +86,7 @@ std::vector<FrameRecord> replaySession(const Session& session, Strategy& strateg
     if (hooks.onFrame) hooks.onFrame(i);
     // what the hooks took is nobody's frame time
     start = hooks.onTrace || hooks.onFrame ? Clock::now() : end;
+    if (passes) hooks.turns->pass();
   }
   for (int i = 0; i < 3; ++i) storeGpuTime(timer, records, true);
   return records;

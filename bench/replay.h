@@ -9,6 +9,7 @@
 #include "session.h"
 #include "test_slowdown.h"
 #include "traversals/strategy.h"
+#include "turns.h"
 
 namespace hlodbench {
 
@@ -31,6 +32,7 @@ struct ReplayHooks {
   std::function<void(TracedFrame&&)> onTrace;  // asks for events,
   std::function<bool(int frame)> isTraced;     // of these frames; empty: of all
   std::function<bool()> isInterrupted = [] { return false; };
+  Turns* turns = nullptr;  // with another program; null: none are taken
 };
 
 // Replays a session by frame index, once, with a strategy that starts cold. Returns one record a

@@ -80,6 +80,9 @@ void checkOptions(const RunOptions& options, const Session& session, bool isCont
   if (!traceFolder.empty() && !std::filesystem::is_directory(traceFolder))
     throw InputError(fmt::format("--trace {}: expected a file in a folder that exists, found none",
                                  options.trace.string()));
+  if (options.turns && !options.plugins.empty())
+    throw InputError(
+        "--turns: expected no --plugin, whose frames are timed as they wait, found one");
   const int frames = static_cast<int>(session.poses.size());
   if (options.replay.warmUpFrames >= frames)
     throw InputError(fmt::format("--warm-up: expected fewer than the session's {} frames, found {}",
@@ -105,6 +108,7 @@ class Runner {
     session_ = readSession(options.session);
     applySize(options.size, session_.lens);
     checkOptions(options, session_, watch.isContinued);
+    if (options.turns) turns_.emplace(*options.turns, options.turnFrames);
     imageFrames_ = selectFrames(options.images, static_cast<int>(session_.poses.size()),
                                 options.replay.warmUpFrames, options.seed);
     explainFrames_ = selectFrames(options.explain, static_cast<int>(session_.poses.size()),
@@ -301,6 +305,7 @@ class Runner {
     watch_.heartbeat->frame = 0;
     ReplayHooks hooks;
     hooks.isInterrupted = isInterrupted;
+    if (turns_) hooks.turns = &*turns_;
     hooks.onFrame = [&](int frame) {
       watch_.heartbeat->frame = frame + 1;
       const double done = order + static_cast<double>(frame + 1) / session_.poses.size();
@@ -409,6 +414,7 @@ class Runner {
   StrategySettings settings_;
   Latency latency_;
   Session session_;
+  std::optional<Turns> turns_;
   StoredHierarchy stored_;
   std::unique_ptr<GlContext> context_;  // before everything that lives in it
   std::unique_ptr<Renderer> renderer_;

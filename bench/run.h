@@ -34,6 +34,8 @@ struct RunOptions {
   std::vector<std::filesystem::path> plugins;  // shared libraries with more strategies
   double frameTimeout = 30.0;                  // seconds, with plug-ins; see SupervisorOptions
   std::string latency = "gl";
+  std::optional<int> turns;  // descriptor of a socket, see Turns; none: no turns are taken
+  int turnFrames = 8;        // in a turn
   std::filesystem::path trace;
   std::uint64_t seed =
       1;  // of the order of the strategies in each repetition, and of --images N, --explain N

@@ -41,6 +41,7 @@ nlohmann::json toJson(const RunOptions& options, const StrategySettings& setting
       {"strategy_options", settings.toJson()},
       {"plugins", describePlugins(options.plugins)},
       {"latency", options.latency},
+      {"turn_frames", options.turns ? nlohmann::json(options.turnFrames) : nlohmann::json()},
       {"seed", options.seed},
       {"gpu_memory", options.gpuMemory == kUnlimitedMemory ? nlohmann::json()
                                                            : nlohmann::json(options.gpuMemory)},
