@@ -18,34 +18,50 @@ class CellFailed(Exception):
         self.code = code
 
 
-def run_whole(command, folder, check=lambda _: None, **options):
-    """Runs `command` with `--out` and a folder beside `folder`, which becomes `folder` if the
-    program ends with 0 and check(folder) finds no flaw. options: of subprocess.Popen. Raises
-    CellFailed, or OSError if the program cannot be started; then nothing is left.
+class Attempt:
+    """A run of `command` with `--out` and a folder beside `folder`, which becomes `folder` when it
+    has finished well. A context manager: at its end the program is ended, and what is unfinished
+    goes.
 
     If another process fills `folder` in the meantime, that one stays.
     """
-    folder = pathlib.Path(folder)
-    partial = folder.with_name(f".{folder.name}.{socket.gethostname()}.{os.getpid()}")
-    try:
-        with child.start([*map(str, command), "--out", str(partial)], **options) as process:
-            try:
-                code = process.wait()
-            except BaseException:
-                process.terminate()
-                raise
+
+    def __init__(self, command, folder, **options):
+        """options: of subprocess.Popen. Raises OSError if the program cannot be started."""
+        self._folder = pathlib.Path(folder)
+        self._partial = self._folder.with_name(
+            f".{self._folder.name}.{socket.gethostname()}.{os.getpid()}")
+        self._process = child.start([*map(str, command), "--out", str(self._partial)], **options)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._process.poll() is None:
+            self._process.terminate()
+            self._process.wait()
+        shutil.rmtree(self._partial, ignore_errors=True)
+
+    def finish(self, check=lambda _: None):
+        """Waits for its end. Raises CellFailed unless the program ends with 0 and check(folder)
+        finds no flaw."""
+        code = self._process.wait()
         if code != 0:
             raise CellFailed(f"hlodbench ended with code {code}", code)
-        flaw = check(partial)
+        flaw = check(self._partial)
         if flaw:
             raise CellFailed(flaw)
         try:
-            partial.rename(folder)
+            self._partial.rename(self._folder)
         except OSError:
-            if not folder.is_dir() or not any(folder.iterdir()):
+            if not self._folder.is_dir() or not any(self._folder.iterdir()):
                 raise
-    finally:
-        shutil.rmtree(partial, ignore_errors=True)
+
+
+def run_whole(command, folder, check=lambda _: None, **options):
+    """An Attempt, from its start to its end."""
+    with Attempt(command, folder, **options) as attempt:
+        attempt.finish(check)
 
 
 def find_flaw(folder):
