@@ -78,7 +78,7 @@ def list_foreign(folder):
 
 
 def make_content(histories, folder, out, problems):
-    """The variables of trend.html."""
+    """The variables of the page."""
     subjects = find_subjects(ROOT, (night.data["revision"] for history in histories.values()
                                     for night in history.nights))
     machines = []
@@ -97,7 +97,7 @@ def make_content(histories, folder, out, problems):
                                     for lines in counters.values() for s in lines))
     styles = make_styles(strategies)
     return {
-        "machines": machines, "problems": problems,
+        "title": "nights", "machines": machines, "problems": problems,
         "scenes": list(dict.fromkeys(scene for scenes in series for scene in scenes)),
         "counters": list_counters(series), "strategies": strategies,
         "shared": {"counters": list_counters(series),
