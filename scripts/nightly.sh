@@ -19,7 +19,8 @@
 #                      earlier nights of the same machine
 #   --repetitions N    of the times of each cell, 9 or more (9)
 #   --no-times         only the exact tier
-#   --min-change P     least change that is called SLOW or FAST, per cent (3)
+#   --no-report        no report.html of the exact tier
+#   --min-change P     least change that is called SLOW or FAST, per cent (1.5)
 #   --max-spread P     more spread of side-by-side runs or of the calibration is a noisy machine,
 #                      per cent (15)
 #   --max-others P     so is more time of the processors used by other programs, per cent (25)

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Prints how often scripts/nightly.sh errs, as a Markdown table (docs/nightly.md).
+"""Prints how often scripts/nightly.sh errs, as Markdown tables (docs/nightly.md).
 
-Nights are simulated from the replays of result folders and of nights (five runs of
-results/reference by default; or a history) by the rule that judges real ones: with nothing changed (A/A), and with frame
-times that are longer by some share in every cell. Nothing is run.
+Nights with a baseline are simulated by the rule that judges real ones, from measured pairs of
+replays. From a file of scripts/nightly_pairs.py (that of results/reference by default): nights of
+the same build (A/A), and of programs that were slowed down. From a history: of its own nights, as
+if nothing had changed, and with all times made longer. Nothing is run.
 
-Exit codes: 0 done; 2 wrong usage or too few replays.
+Exit codes: 0 done; 2 wrong usage or too few pairs.
 """
 
 import argparse
@@ -13,66 +14,108 @@ import pathlib
 import sys
 
 from run_cells import ROOT
-from tracking.simulate import (Setting, read_groups, read_reference_groups, share_of_cells,
-                               share_of_nights, simulate)
+from tracking.errors import TrackingError
+from tracking.simulate import (SAME_BUILD, Setting, read_history_groups, read_pairs,
+                               share_of_cells, share_of_nights, share_of_stage, simulate,
+                               slow_down)
 from tracking.timing import FAST, SAME, SLOW, UNCLEAR, Rule
 
-CHANGES = (0.02, 0.05, 0.10)
+PAIRS = ROOT / "results" / "reference" / "llvmpipe" / "nightly" / "pairs.json"
+MADE_UP = (0.02, 0.05, 0.10)
+FEWEST = 9  # pairs in all
 
 
 def parse_arguments():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", type=pathlib.Path,
-                        help="folder with result folders or nights (five of results/reference)")
-    parser.add_argument("--nights", type=int, default=1000, help="of each row (1000)")
-    parser.add_argument("--repetitions", type=int, nargs="+", default=[9, 15, 30])
-    parser.add_argument("--min-change", type=float, nargs="+", default=[3.0, 1.0], help="per cent")
-    parser.add_argument("--cells", type=int, default=5, help="of a night (5)")
-    parser.add_argument("--quiet-by", type=float, nargs="+", default=[1.0],
-                        help="divide the replays' deviations by this: a machine so much quieter")
+    parser.add_argument("source", nargs="?", type=pathlib.Path, default=PAIRS,
+                        help="a file of nightly_pairs.py, or a folder with nights (%(default)s)")
+    parser.add_argument("--nights", type=int, default=1000, help="of each row (%(default)s)")
+    parser.add_argument("--repetitions", type=int, nargs="+", default=[9],
+                        help="of a cell (%(default)s)")
+    parser.add_argument("--min-change", type=float, nargs="+", default=[100 * Rule.min_change],
+                        help="per cent (%(default)s)")
+    parser.add_argument("--cells", type=int, default=5, help="of a night (%(default)s)")
     return parser.parse_args()
 
 
-def per_cent(share):
-    return f"{100 * share:.2f} %" if share < 0.1 else f"{100 * share:.0f} %"
+def read_groups(source):
+    """([Group of the same build], {slowdown: [Group]})."""
+    if not source.is_dir():
+        groups = read_pairs(source)
+        names = dict.fromkeys(g.slowdown for g in groups if g.slowdown != SAME_BUILD)
+        slowed = {name: [g for g in groups if g.slowdown == name] for name in names}
+        return [g for g in groups if g.slowdown == SAME_BUILD], slowed
+    same = read_history_groups(source)
+    slowed = {f"all={100 * share:g}": [slow_down(g, f"all={100 * share:g}", share) for g in same] for share in MADE_UP}
+    return same, slowed
 
 
 def main():
-    """Prints the table."""
+    """Prints the tables."""
     options = parse_arguments()
-    groups = read_groups(options.folder) if options.folder else read_reference_groups(ROOT)
-    count = sum(len(group.deviations) for group in groups)
-    if count < 10:
-        print(f"nightly_rates.py: {options.folder or 'results/reference'}: expected 10 replays or more with the driver's "
-              f"latency, found {count}", file=sys.stderr)
+    try:
+        same, slowed = read_groups(options.source)
+    except TrackingError as error:
+        print(f"nightly_rates.py: {error}", file=sys.stderr)
         return 2
-    print(f"{count} replays in {len(groups)} groups; {options.nights} nights of {options.cells} "
-          "cells a row.\n")
-    print("| noise | N | least change | drawn from | nights with a false SLOW | with a false FAST | "
-          "A/A cells SAME | UNCLEAR | " + " | ".join(f"{100 * c:.0f} % found" for c in CHANGES)
-          + " |")
-    print("|---|--:|--:|---|" + "--:|" * (4 + len(CHANGES)))
-    for quiet in options.quiet_by:
-        quieter = [type(g)(g.name, tuple(d / quiet for d in g.deviations)) for g in groups]
-        for repetitions in options.repetitions:
-            for least in options.min_change:
-                for pooled in (True, False):
-                    print_row(quieter, quiet, repetitions, least, pooled, options)
+    count = sum(map(len, same))
+    if count < FEWEST:
+        print(f"nightly_rates.py: {options.source}: expected {FEWEST} pairs of the same build or "
+              f"more, found {count}", file=sys.stderr)
+        return 2
+    print(f"{count} pairs of the same build; {options.nights} nights of {options.cells} cells a "
+          "row.\n")
+    print_same(same, options)
+    print()
+    print_slowed(slowed, options)
     return 0
 
 
-def print_row(groups, quiet, repetitions, least, pooled, options):
-    rule = Rule(min_change=least / 100)
-    setting = Setting(repetitions, options.cells, options.nights, pooled)
-    same = simulate(groups, 0.0, setting, rule)
-    found = [share_of_cells(simulate(groups, change, setting, rule), SLOW) for change in CHANGES]
-    row = ["as measured" if quiet == 1 else f"1/{quiet:g}", str(repetitions), f"{least:g} %",
-           "all" if pooled else "one group a cell", per_cent(share_of_nights(same, SLOW)),
-           per_cent(share_of_nights(same, FAST)), per_cent(share_of_cells(same, SAME)),
-           per_cent(share_of_cells(same, UNCLEAR)), *map(per_cent, found)]
-    print("| " + " | ".join(row) + " |", flush=True)
+def list_rules(options):
+    """(repetitions, least change in per cent, Setting, Rule) of the rows."""
+    for repetitions in options.repetitions:
+        for least in options.min_change:
+            yield (repetitions, least, Setting(repetitions, options.cells, options.nights),
+                   Rule(min_change=least / 100))
+
+
+def print_same(groups, options):
+    print("| N | least change | nights with a false SLOW | with a false FAST | cells SAME | "
+          "UNCLEAR |\n|--:|--:|--:|--:|--:|--:|")
+    for repetitions, least, setting, rule in list_rules(options):
+        nights = simulate(groups, setting, rule)
+        print_row(repetitions, f"{least:g} %", share_of_nights(nights, SLOW),
+                  share_of_nights(nights, FAST), share_of_cells(nights, SAME),
+                  share_of_cells(nights, UNCLEAR))
+
+
+def print_slowed(slowed, options):
+    print("| slowed down | pairs | N | least change | found | called FAST | stage named right |\n"
+          "|---|--:|--:|--:|--:|--:|--:|")
+    for name, groups in slowed.items():
+        for repetitions, least, setting, rule in list_rules(options):
+            nights = simulate(groups, setting, rule)
+            print_row(describe_slowdown(name), sum(map(len, groups)), repetitions, f"{least:g} %",
+                      share_of_cells(nights, SLOW), share_of_cells(nights, FAST),
+                      share_of_stage(nights, SLOW, name.split("=")[0]))
+
+
+def describe_slowdown(name):
+    stage, _, share = name.partition("=")
+    return f"{stage} by {share} %"
+
+
+def print_row(*fields):
+    print("| " + " | ".join(per_cent(f) if isinstance(f, float) else str(f) for f in fields)
+          + " |", flush=True)
+
+
+def per_cent(share):
+    if share != share:  # of nothing
+        return "–"
+    return f"{100 * share:.2f} %" if 0 < share < 0.1 else f"{100 * share:.0f} %"
 
 
 if __name__ == "__main__":

@@ -3,13 +3,15 @@
 cli          options and exit codes
 matrix       scenes and strategies: the cells
 build        the program of this checkout and of a baseline revision
-measure      runs the program: the exact tier and the timing tier
+program      hlodbench as it is run: the exact tier, replays for times
+measure      pairs of replays that take turns, and the ratios of their times
 lock         one night at a time on a machine
 load         what other programs use meanwhile
 night        the order of things in a night
 calibration  a fixed workload that tells how fast the processor is tonight
 exact        exact values of a result folder, and what differs between two nights
-timing       frame times to verdicts: the U test, the least change, measuring again
+timing_tier  what is measured, judged, and measured again
+timing       ratios and times to verdicts: the U test, the least change
 statistics   the U test, medians and intervals
 machine      the key of a machine: only like is compared with like
 history      the folder of files that are only ever added
@@ -22,5 +24,5 @@ exporters    a night for other tools
 change_points  where a series of nights changes its level
 commits      subjects of commits
 trend        the page of the history, of trend_nights and trend_series; its parts are in page/
-simulate     how often the rule errs, from real samples
+simulate     how often the rule errs, from real pairs
 """

@@ -54,7 +54,8 @@ def make_run_parser():
     parser.add_argument("--repetitions", type=whole(FEWEST_REPETITIONS, 9999),
                         default=FEWEST_REPETITIONS)
     parser.add_argument("--no-times", dest="timing", action="store_false")
-    for name, default in (("min-change", 3), ("max-spread", 15), ("max-others", 25)):
+    parser.add_argument("--no-report", dest="report", action="store_false")
+    for name, default in (("min-change", 1.5), ("max-spread", 15), ("max-others", 25)):
         parser.add_argument(f"--{name}", type=per_cent, default=default / 100)
     parser.add_argument("--calibration", choices=("numpy", NONE), default="numpy")
     parser.add_argument("--machine")

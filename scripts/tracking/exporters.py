@@ -9,7 +9,7 @@ github-action-benchmark  README of benchmark-action/github-action-benchmark, "cu
 
 import statistics
 
-from .timing import CPU
+from .measure import CPU
 
 # Exact values for which less is better, if anything is.
 COUNTS = {"dn": "nodes", "rarn": "nodes", "d": "nodes", "queries": "queries",

@@ -1,138 +1,132 @@
-"""Runs the program: once a scene with a fixed latency, and pairs of runs for times."""
+"""Measures times: replays of two programs side by side, or of one."""
 
-import pathlib
 import random
-import re
-import subprocess
-from dataclasses import dataclass
+import socket
+from contextlib import ExitStack
+from dataclasses import dataclass, field
 
-import sweeping.cell
-from result_folder import ResultError, read_run
+import numpy as np
 
 from . import timing
-from .build import last_line, run
-from .errors import TrackingError
-from .matrix import LATENCY, PICTURES, REFERENCE
 
-STAGES = (*timing.STAGES, timing.CPU)
-NO_GL = 3
-STRATEGY = re.compile(r"^  ([a-z][a-z0-9-]*) ", re.MULTILINE)
+BEGIN = b"t"  # hlodbench run --turns: whoever reads a byte has the turn
+CPU = "cpu_ms"  # of the traversing thread, across the stages
+COLUMNS = ("draw_ms", "query_ms", "wait_ms", "traversal_ms", CPU)
+
+
+@dataclass(frozen=True)
+class Replay:
+    """Of one strategy, without the warm-up."""
+
+    frame_ms: float  # mean
+    means: dict  # {column: mean, ms}
+    stages: dict  # {stage of timing.STAGES: (frames,) ms}; those that were logged
+    tree: str | None = None  # hash of the hierarchy
+
+
+def read_replay(case, tree=None):
+    """The Replay of a case of a result folder; None if it has no frame rate."""
+    fps = (case.summary or {}).get("fps")
+    if not fps:
+        return None
+    counters = case.summary.get("counters") or {}
+    means = {c: counters[c]["mean"] for c in COLUMNS if c in counters}
+    columns = case.columns
+    counts = columns["warm_up"] == 0 if "warm_up" in columns else slice(None)
+    stages = {stage: sum(columns[c][counts] for c in parts)
+              for stage, parts in timing.STAGES.items() if all(c in columns for c in parts)}
+    return Replay(1000 / fps, means, stages, tree)
+
+
+def compute_ratios(base, new):
+    """{quantity: new / base} of two Replays of the same session: "frame", of the mean times, as
+    frame rates are; and of each stage the median over frames of the ratio of the same frame, which
+    frames in which the thread did not run do not move."""
+    ratios = {timing.FRAME: new.frame_ms / base.frame_ms}
+    for stage, times in base.stages.items():
+        others = new.stages.get(stage)
+        if others is None or others.shape != times.shape:
+            continue
+        known = (times > 0) & (others > 0)
+        if known.any():
+            ratios[stage] = float(np.exp(np.median(np.log(others[known] / times[known]))))
+    return ratios
 
 
 @dataclass
-class Program:
-    """hlodbench, and the hierarchies that it has built."""
+class CellTimes:
+    """Of one cell: by run, or by pair of runs. As the history has it, less what is empty."""
 
-    path: pathlib.Path
-    cache: pathlib.Path
-    name: str  # in messages
-    out: pathlib.Path  # logs and results go here
-    sessions: pathlib.Path
-    context: str = "auto"
+    new: list = field(default_factory=list)  # ms a frame
+    base: list | None = None
+    means: dict = field(default_factory=lambda: {"new": {}, "base": {}})  # {side: {column: [ms]}}
+    ratios: dict = field(default_factory=dict)  # {quantity: [new / base]}
+    has_same_tree: bool = True  # whether both programs built the same hierarchy
 
-    def build_hierarchy(self, scene):
-        """Makes cache/SCENE.hlod, unless it is there and up to date."""
-        self.cache.mkdir(parents=True, exist_ok=True)
-        log = self.out / f"{self.name}.{scene}.build.log"
-        code = run([self.path, "build", self.sessions / f"{scene}.scene.json", "-o",
-                    self._hierarchy(scene)], None, log)
-        if code != 0:
-            raise TrackingError(f"{self.name}: hierarchy of {scene}: hlodbench ended with code "
-                                f"{code}: {last_line(log)}")
+    def add(self, new, base=None):
+        """Replays of one repetition."""
+        for side, replay in (("new", new), ("base", base)):
+            if replay is not None:
+                getattr(self, side).append(replay.frame_ms)
+                for column, mean in replay.means.items():
+                    self.means[side].setdefault(column, []).append(mean)
+        if base is not None:
+            self.has_same_tree &= new.tree == base.tree
+            for quantity, ratio in compute_ratios(base, new).items():
+                self.ratios.setdefault(quantity, []).append(ratio)
 
-    def list_strategies(self):
-        """Their ids."""
-        try:
-            done = subprocess.run([self.path, "list"], capture_output=True, text=True, check=False,
-                                  stdin=subprocess.DEVNULL)
-        except (OSError, UnicodeDecodeError) as error:
-            raise TrackingError(f"{self.path}: cannot be run: {error}") from None
-        section = done.stdout.partition("Strategies")[2].partition("\n\n")[0]
-        found = STRATEGY.findall(section)
-        if done.returncode != 0 or not found:
-            raise TrackingError(f"{self.path} list: expected strategies, found none")
-        return found
-
-    def run_exact(self, scene, strategies):
-        """The exact tier of a scene; its result folder."""
-        folder = self.out / "exact" / scene
-        self._run(scene, list(dict.fromkeys([REFERENCE, *strategies])), folder,
-                  "--latency", LATENCY, "--images", PICTURES)
-        return folder
-
-    def run_timed(self, scene, strategy, folder):
-        """One replay with the driver's latency: (ms a frame, {stage: ms a frame}).
-        The processor's time is among the stages."""
-        self._run(scene, [strategy], folder, "--latency", "gl", "--images", "none")
-        try:
-            (case,) = read_run(folder, frames=False).cases
-        except (ResultError, ValueError) as error:
-            raise TrackingError(f"{folder}: expected one replay: {error}") from None
-        fps = (case.summary or {}).get("fps")
-        if case.error or not fps:
-            raise TrackingError(f"{folder}: {strategy}: {case.error or 'no frame rate'}")
-        counters = case.summary.get("counters") or {}
-        return 1000 / fps, {s: counters[s]["mean"] for s in STAGES if s in counters}
-
-    def _hierarchy(self, scene):
-        return self.cache / f"{scene}.hlod"
-
-    def _run(self, scene, strategies, folder, *options):
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        log = folder.with_name(f"{folder.name}.log")
-        context = [] if self.context == "auto" else ["--context", self.context]
-        command = [self.path, "run", "--scene", self._hierarchy(scene), "--session",
-                   self.sessions / f"{scene}.session.json", "--strategy", ",".join(strategies),
-                   "--repetitions", "1", *context, *options]
-        try:
-            with open(log, "wb") as file:
-                sweeping.cell.run_whole(command, folder, stdout=file, stderr=file,
-                                        stdin=subprocess.DEVNULL)
-        except sweeping.cell.CellFailed as error:
-            what = "no usable OpenGL" if error.code == NO_GL else str(error)
-            raise TrackingError(f"{self.name}: {scene}/{','.join(strategies)}: {what}: "
-                                f"{last_line(log)} ({log})") from None
-        except OSError as error:
-            raise TrackingError(f"{error.filename or self.path}: {error.strerror}") from None
-
-
-class Times:
-    """Frame times of cells, by cell: {"new": [ms], "base": [ms] or None, "stages": ...}."""
-
-    def __init__(self, cells, with_base):
-        self.cells = {cell: {"new": [], "base": [] if with_base else None,
-                             "stages": {"new": {}, "base": {}}} for cell in cells}
-        self.calibration = []  # seconds
-
-    def add(self, cell, side, milliseconds, stages):
-        self.cells[cell][side].append(milliseconds)
-        for stage, value in stages.items():
-            self.cells[cell]["stages"][side].setdefault(stage, []).append(value)
+    def as_dict(self):
+        found = {"new": self.new, "base": self.base, "stages": self.means}
+        return {**found, "ratios": self.ratios} if self.base is not None else found
 
 
 def measure_times(cells, new, base, repetitions, seed, out, calibrate, progress):
-    """Times of cells over `repetitions`. base: a Program, or None.
+    """Times of cells over `repetitions`: ({cell: CellTimes}, [seconds of the calibration]).
+    base: a Program, or None.
 
-    Every repetition has each cell once, in an order of chance, with new and base side by side, so
-    that what changes slowly meets both alike; which goes first alternates. calibrate: gives the
-    seconds of the calibration, measured once a repetition, or is None. progress: called with the
-    number of each repetition, from 1.
+    Every repetition has each cell once, in an order of chance. New and base replay it at the same
+    time and take turns in it, or one after the other if one of them cannot; which begins
+    alternates. calibrate: gives the seconds of the calibration, measured once a repetition, or is
+    None. progress: called with the number of each repetition, from 1.
     """
     rng = random.Random(seed)
     begins = {cell: rng.randrange(2) for cell in cells}
-    times = Times(cells, base is not None)
+    times = {cell: CellTimes(base=None if base is None else []) for cell in cells}
+    seconds = []
     for repetition in range(repetitions):
         progress(repetition + 1)
         if calibrate:
-            times.calibration.append(calibrate())
+            seconds.append(calibrate())
         order = list(cells)
         rng.shuffle(order)
         for cell in order:
-            sides = [("new", new), ("base", base)] if base else [("new", new)]
-            if (repetition + begins[cell]) % 2:
-                sides.reverse()
-            scene, strategy = cell.split("/")
-            for side, program in sides:
-                folder = out / scene / f"{strategy}.{repetition}.{side}"
-                times.add(cell, side, *program.run_timed(scene, strategy, folder))
-    return times
+            folder = out / cell
+            name = f"{folder.name}.{repetition}"
+            if base is None:
+                times[cell].add(new.run_timed(cell, folder.with_name(f"{name}.new")))
+                continue
+            sides = [(new, folder.with_name(f"{name}.new")),
+                     (base, folder.with_name(f"{name}.base"))]
+            is_reversed = (repetition + begins[cell]) % 2
+            first, second = measure_pair(cell, *(reversed(sides) if is_reversed else sides))
+            times[cell].add(*((second, first) if is_reversed else (first, second)))
+    return times, seconds
+
+
+def take_turns(new, base):
+    """Whether both programs can."""
+    return base is not None and new.takes_turns and base.takes_turns
+
+
+def measure_pair(cell, first, second):
+    """Replays of one cell by two programs, (Program, folder) each, which take turns if they can."""
+    if not take_turns(first[0], second[0]):
+        return tuple(program.run_timed(cell, folder) for program, folder in (first, second))
+    with ExitStack() as stack:
+        ends = [stack.enter_context(end) for end in socket.socketpair()]
+        ends[1].send(BEGIN)
+        attempts = [stack.enter_context(program.start_timed(cell, folder, end.fileno()))
+                    for (program, folder), end in zip((first, second), ends)]
+        for end in ends:  # so that one program's end is known to the other
+            end.close()
+        return tuple(attempt.finish() for attempt in attempts)

@@ -3,22 +3,21 @@
 import os
 import pathlib
 import shutil
-import statistics
 import sys
-from dataclasses import asdict
 
 from run_cells import ROOT
 
-from . import calibration, exact, timing
+from . import exact, timing
 from .build import Baseline, build_program, run
 from .errors import TrackingError
 from .history import append, now_utc, read_history
-from .load import OthersWatch
 from .lock import MachineLock
 from .machine import describe_machine
 from .matrix import list_cells, list_scenes, strategies_of
-from .measure import Program, measure_times
-from .output import write_night
+from .measure import take_turns
+from .output import write_night, write_report
+from .program import TURN_FRAMES, Program
+from .timing_tier import CellResult, TimingTier, describe_tier
 
 LEAST_FREE = 512 << 20  # bytes, where results, history and builds go
 CONTEXT = ("program", "distribution", "kernel", "cpu_governor", "load_average", "warnings")
@@ -54,9 +53,19 @@ def run_night(options):
         if options.timing:
             measure_timing(options, new, base, cells, night, history)
         write_night(options.out, night, history)
+        if options.report:
+            make_report(options, new, list_scenes(cells))
         path = append(options.history, key, night, night["revision"])
     say(f"added to the history: {path}")
     return night
+
+
+def make_report(options, program, scenes):
+    say("report of the exact tier")
+    problem = write_report(options.out, program.path,
+                           [program.exact_folder(scene) for scene in scenes])
+    if problem:
+        say(f"no report.html: {problem}")
 
 
 def make_folders(options):
@@ -134,78 +143,19 @@ def measure_exact(options, program, cells):
 
 def measure_timing(options, new, base, cells, night, history):
     """The timing tier: fills in the night's timing and verdicts."""
-    missing = []
-    if base:
-        known = base.list_strategies()
-        missing = [cell for cell in cells if cell.split("/")[1] not in known]
-    timed = [cell for cell in cells if cell not in missing]
-    is_calibrated = options.calibration != calibration.NONE
-    calibrate = calibration.measure if is_calibrated else None
-    watch = OthersWatch()
-
-    def measure(which, again):
-        folder = options.out / ("timing-again" if again else "timing")
-        total = options.repetitions
-        return measure_times(which, new, base, total, options.seed + again, folder, calibrate,
-                             lambda n: say(f"times{' again' if again else ''}: repetition {n} of "
-                                           f"{total}, {len(which)} cells"))
-
-    times = measure(timed, 0)
-    seconds = list(times.calibration)
-    samples = times.cells
-    factor = find_factor(night, times.calibration)
-    verdicts, noise = {}, timing.find_noise(options.rule, watch.share(), times.calibration)
-    if not noise:
-        verdicts = {cell: judge(cell, samples[cell], factor, night, history, options.rule)
-                    for cell in timed}
-    doubtful = [cell for cell, v in verdicts.items() if v.verdict in (timing.SLOW, timing.FAST)]
-    if doubtful:
-        say(f"measured again before anything is said: {', '.join(doubtful)}")
-        times = measure(doubtful, 1)
-        seconds += times.calibration
-        noise = timing.find_noise(options.rule, watch.share(), times.calibration)
-        second_factor = find_factor(night, times.calibration)
-        for cell in doubtful:
-            first = samples[cell]
-            samples[cell] = {**times.cells[cell], "first": {**first, "calibration": factor}}
-            second = judge(cell, samples[cell], second_factor, night, history, options.rule)
-            verdicts[cell] = timing.confirm(verdicts[cell], second)
-            samples[cell]["calibration"] = second_factor
-    for cell in timed:
-        samples[cell].setdefault("calibration", factor)
-        verdict = timing.Verdict(timing.UNCLEAR, noise) if noise else verdicts[cell]
-        is_slow = verdict.verdict == timing.SLOW
-        stage = timing.find_stage(samples[cell]["stages"]) if is_slow else None
-        night["verdicts"][cell]["timing"] = {**verdict.as_dict(), "stage": stage}
-    for cell in missing:
-        verdict = timing.Verdict(timing.UNCLEAR, "the baseline has no such strategy")
-        night["verdicts"][cell]["timing"] = {**verdict.as_dict(), "stage": None}
-    revision = None
-    if base:
-        revision = options.baseline or str(options.baseline_program)
-    night["timing"] = {
-        "mode": "baseline" if base else "history", "repetitions": options.repetitions,
-        "seed": options.seed, "baseline": revision,
-        "calibration": {"workload": calibration.WORKLOAD if is_calibrated else calibration.NONE,
-                        "seconds": seconds or [1.0]},
-        "others_share": watch.share(), "rule": asdict(options.rule), "cells": samples}
-
-
-def find_factor(night, seconds):
-    """What times are divided by to compare them with other nights'. A processor's workload says
-    nothing of a GPU: there it is 1."""
-    if night["machine"]["gl_class"] == "gpu" or not seconds:
-        return 1.0
-    return statistics.median(seconds)
-
-
-def judge(cell, samples, factor, night, history, rule):
-    """The Verdict of one sample."""
-    if samples["base"]:
-        return timing.judge_pairs(samples["base"], samples["new"], rule)
-    tonight = [value / factor for value in samples["new"]]
-    workload = calibration.WORKLOAD if factor != 1.0 else None
-    return timing.judge_history(list_samples(cell, night, history, workload), tonight, rule)
+    known = base.list_strategies() if base else None
+    timed = [cell for cell in cells if known is None or cell.split("/")[1] in known]
+    if base and not take_turns(new, base):
+        say("one of the programs knows no --turns: they run one after the other, which tells less")
+    tier = TimingTier(options, new, base, night["machine"]["gl_class"] == "gpu",
+                      lambda cell, workload: list_samples(cell, night, history, workload))
+    results = tier.run(timed, say)
+    for cell in cells:
+        result = results.get(cell) or CellResult(
+            timing.Verdict(timing.UNCLEAR, "the baseline has no such strategy"), {})
+        night["verdicts"][cell]["timing"] = result.as_dict()
+    night["timing"] = describe_tier(tier, results, options, base,
+                                    TURN_FRAMES if take_turns(new, base) else None)
 
 
 def list_samples(cell, night, history, workload):

@@ -49,13 +49,20 @@ def _check_timing(data):
             values = samples.get(side)
             if values is None and side == "base":
                 continue
-            if (not isinstance(values, list) or not values
-                    or not all(is_number(v) and v > 0 for v in values)):
+            if not _is_sample(values):
                 return (f"timing.cells.{cell}.{side}: expected frame times above 0, "
                         f"found {str(values)[:40]!r}")
         if not is_number(samples.get("calibration", 1)) or samples.get("calibration", 1) <= 0:
             return f"timing.cells.{cell}.calibration: expected seconds above 0"
+        ratios = samples.get("ratios", {})
+        if not isinstance(ratios, dict) or not all(map(_is_sample, ratios.values())):
+            return f"timing.cells.{cell}.ratios: expected lists of numbers above 0"
     return None
+
+
+def _is_sample(values):
+    return (isinstance(values, list) and len(values) > 0
+            and all(is_number(v) and v > 0 for v in values))
 
 
 def is_number(value):

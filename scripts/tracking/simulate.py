@@ -1,10 +1,8 @@
-"""How often the rule errs: nights that never were, of frame times that were.
+"""How often the rule errs: nights that never were, of pairs of replays that were.
 
-The samples are relative deviations of replays from the mean of their group, a group being the
-replays of one strategy in one result folder: what is left when nothing has changed. They are
-widened by sqrt(n / (n - 1)), since the mean is their own. A night draws from them with replacement:
-that is a bootstrap, and it knows only the noise that these replays had. It takes replays for
-independent; a slow drift, which pairs are for, is in none of it.
+A night's cell draws its pairs with replacement from real ones, each with all its quantities, as
+they were measured together: that is a bootstrap, and it knows only the noise that these pairs had.
+The cell is judged, and measured again, by the code that judges real ones.
 """
 
 import json
@@ -13,76 +11,71 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from result_folder import ResultError, read_run
-
+from .errors import TrackingError
 from .migrate import VERSION
 from .shapes import find_damage
-from .timing import FAST, SLOW, confirm, judge_pairs
+from .timing import (FRAME, combine, confirm_quantities, is_change, judge_quantities)
 
-FEWEST = 3  # replays of a group
-
-# The runs behind the table of docs/nightly.md, below results/reference: named one by one, so that a
-# record that is added there changes neither the table nor the tests.
-REFERENCE_RUNS = ("llvmpipe/reuse/times/courtyard", "llvmpipe/reuse/times/scene1",
-                  "llvmpipe/reuse/times/scene2", "llvmpipe/scene1", "llvmpipe/scene2")
+SAME_BUILD = ""  # the slowdown of pairs of the same program with itself
 
 
 @dataclass(frozen=True)
 class Group:
-    """Deviations of one strategy's replays in one folder: natural logarithms."""
+    """Pairs of one cell: new / base by quantity, all of equal length."""
 
-    name: str
-    deviations: tuple
+    cell: str
+    slowdown: str  # as HLODBENCH_TEST_SLOWDOWN of new, or SAME_BUILD
+    ratios: dict
+    means: dict  # {stage: ms} of base
+
+    def __len__(self):
+        return len(self.ratios[FRAME])
+
+    def draw(self, rng, count):
+        """Some of its pairs, {quantity: [ratios]}. Which one of the same build is called new is
+        drawn, too: else each night would have what chance left in so few pairs."""
+        chosen = rng.integers(0, len(self), count)
+        powers = rng.choice((-1, 1), count) if self.slowdown == SAME_BUILD else np.ones(count)
+        return {quantity: values[chosen] ** powers for quantity, values in self.ratios.items()}
 
 
-def read_reference_groups(root):
-    """The groups of REFERENCE_RUNS; root: of the repository."""
-    reference = root / "results" / "reference"
-    return [group for run in REFERENCE_RUNS for group in read_groups(reference / run)]
+def read_pairs(path):
+    """The groups of a file of scripts/nightly_pairs.py. Raises TrackingError."""
+    try:
+        data = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+        return [Group(group["cell"], group["slowdown"],
+                      {q: np.array(values) for q, values in group["ratios"].items()},
+                      group["means"]) for group in data["groups"]]
+    except OSError as error:
+        raise TrackingError(f"{path}: {error.strerror}") from None
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise TrackingError(f"{path}: expected pairs of nightly_pairs.py, found {error!r}") from None
 
 
-def read_groups(folder):
-    """The groups of all result folders below `folder`, without those with a fixed latency, and of
-    all nights there (a history, or night.json): the baseline's frame times, or tonight's."""
+def read_history_groups(folder, fewest=9):
+    """Groups of the nights below `folder` that had a baseline, a cell of a night each: as if
+    nothing had changed (by their own median), and without stages' part of a frame."""
     groups = []
     for path in sorted(pathlib.Path(folder).rglob("*.json")):
-        if path.name == "run.json":
-            samples = _read_run(path.parent)
-        else:
-            samples = _read_night(path)
-        for name, times in samples.items():
-            if len(times) >= FEWEST:
-                logs = np.log(times)
-                widened = (logs - logs.mean()) * np.sqrt(len(times) / (len(times) - 1))
-                groups.append(Group(f"{path}:{name}", tuple(widened)))
+        try:
+            data = json.loads(path.read_text(encoding="utf-8"))
+        except (OSError, ValueError, RecursionError):
+            continue
+        if not isinstance(data, dict) or data.get("schema") != VERSION or find_damage(data):
+            continue
+        for cell, samples in ((data.get("timing") or {}).get("cells") or {}).items():
+            ratios = {q: np.array(values) / np.median(values)
+                      for q, values in (samples.get("ratios") or {}).items()}
+            counts = {len(values) for values in ratios.values()}
+            if FRAME in ratios and counts == {len(ratios[FRAME])} and min(counts) >= fewest:
+                groups.append(Group(cell, SAME_BUILD, ratios, {}))
     return groups
 
 
-def _read_run(folder):
-    """Frame times by strategy."""
-    samples = {}
-    try:
-        run = read_run(folder, frames=False)
-    except ResultError:
-        return samples
-    if (run.data.get("options") or {}).get("latency", "gl") != "gl":
-        return samples
-    for case in run.cases:
-        if case.summary and case.summary.get("fps"):
-            samples.setdefault(case.strategy, []).append(1000 / case.summary["fps"])
-    return samples
-
-
-def _read_night(path):
-    """Frame times by cell."""
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
-        return {}
-    if not isinstance(data, dict) or data.get("schema") != VERSION or find_damage(data):
-        return {}
-    cells = (data.get("timing") or {}).get("cells") or {}
-    return {cell: samples.get("base") or samples["new"] for cell, samples in cells.items()}
+def slow_down(group, slowdown, share):
+    """The group with all its times made longer by a share."""
+    return Group(group.cell, slowdown, {q: v * (1 + share) for q, v in group.ratios.items()},
+                 group.means)
 
 
 @dataclass(frozen=True)
@@ -92,42 +85,37 @@ class Setting:
     repetitions: int = 9
     cells: int = 5
     nights: int = 1000
-    pooled: bool = True  # each cell draws from all groups together; else from one group of chance
     seed: int = 1
 
 
-def simulate(groups, change, setting, rule):
-    """Verdicts of nights whose new program takes 1 + change times as long in every cell:
-    [[verdict of each cell] of each night]."""
+def simulate(groups, setting, rule):
+    """[[(verdict, stage or None) of each cell] of each night]. Each cell draws from one of the
+    groups by chance."""
     rng = np.random.default_rng(setting.seed)
-    together = np.concatenate([group.deviations for group in groups])
-    nights = []
-    for _ in range(setting.nights):
-        night = []
-        for _ in range(setting.cells):
-            pool = (together if setting.pooled
-                    else np.array(groups[rng.integers(len(groups))].deviations))
-            night.append(_decide(rng, pool, change, setting.repetitions, rule))
-        nights.append(night)
-    return nights
+    return [[_decide(rng, groups[rng.integers(len(groups))], setting.repetitions, rule)
+             for _ in range(setting.cells)] for _ in range(setting.nights)]
 
 
-def _decide(rng, pool, change, repetitions, rule):
-    def measure():
-        base, new = np.exp(rng.choice(pool, (2, repetitions)))
-        return judge_pairs(base, new * (1 + change), rule)
-
-    first = measure()
-    if first.verdict not in (SLOW, FAST):
-        return first.verdict
-    return confirm(first, measure()).verdict
+def _decide(rng, group, repetitions, rule):
+    verdicts = judge_quantities(group.draw(rng, repetitions), rule)
+    if any(map(is_change, verdicts.values())):
+        again = judge_quantities(group.draw(rng, repetitions), rule)
+        verdicts = confirm_quantities(verdicts, again)
+    verdict, stage = combine(verdicts, group.means)
+    return verdict.verdict, stage
 
 
 def share_of_cells(nights, verdict):
     """The share of all cells with a verdict."""
-    return float(np.mean([cell == verdict for night in nights for cell in night]))
+    return float(np.mean([found == verdict for night in nights for found, _ in night]))
 
 
 def share_of_nights(nights, verdict):
     """The share of nights with a cell of that verdict."""
-    return float(np.mean([verdict in night for night in nights]))
+    return float(np.mean([any(found == verdict for found, _ in night) for night in nights]))
+
+
+def share_of_stage(nights, verdict, stage):
+    """The share of the cells with a verdict in which that stage is named; NaN if there are none."""
+    named = [found == stage for night in nights for v, found in night if v == verdict]
+    return float(np.mean(named)) if named else float("nan")

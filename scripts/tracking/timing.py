@@ -1,9 +1,10 @@
 """Frame times to verdicts.
 
-With a baseline, each repetition is a pair of runs, one right after the other. SLOW needs a U test
-below alpha, an effect size of at least `effect`, and a median over pairs of at least `min_change`;
-then it is measured again, and the second sample alone decides, by the same rule. FAST likewise, so
-that neither is easier to get. Why so, and what it misses: docs/nightly.md.
+With a baseline, each repetition is a pair of replays, and the ratios new / base of the frame's time
+and of its stages are judged, each by itself. SLOW needs a U test below alpha, an effect size of at
+least `effect`, and a median over pairs of at least `min_change`; then it is measured again, and the
+second sample alone decides, by the same rule. FAST likewise, so that neither is easier to get. Why
+so, and what it misses: docs/nightly.md.
 
 Without one, tonight's values are compared with those of earlier nights, each in units of what the
 calibration took that night. Values of one night share that night's luck, so nights are the unit:
@@ -15,11 +16,13 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from .statistics import (NORMAL_MAD, compute_change, compute_mann_whitney, compute_paired_change,
-                         compute_spread)
+                         compute_paired_mann_whitney, compute_spread)
 
 SAME, FAST, SLOW, UNCLEAR = "SAME", "FAST", "SLOW", "UNCLEAR"
-STAGES = ("draw_ms", "query_ms", "wait_ms", "traversal_ms")  # of a frame, beside each other
-CPU = "cpu_ms"  # of the traversing thread, across them
+FRAME = "frame"
+# Of a frame, beside each other, and the columns of the frame log that are their time. Waiting for
+# results is part of handling queries: what is asked earlier is waited for longer.
+STAGES = {"draw": ("draw_ms",), "query": ("query_ms", "wait_ms"), "traversal": ("traversal_ms",)}
 MOST_NIGHTS = 20  # earlier nights that are compared with: the last ones
 FEWEST_NIGHTS = 10
 NIGHT_DEVIATIONS = 5  # how far out of the earlier nights' medians a night must lie; measuring again
@@ -30,9 +33,9 @@ NIGHT_DEVIATIONS = 5  # how far out of the earlier nights' medians a night must 
 class Rule:
     """What a verdict needs; shares, not per cent."""
 
-    alpha: float = 0.05
+    alpha: float = 0.02
     effect: float = 0.71
-    min_change: float = 0.03
+    min_change: float = 0.015
     most_spread: float = 0.15  # of the ratios of pairs, or of the calibration
     most_others: float = 0.25  # of the processors' time, used by other programs
 
@@ -53,13 +56,18 @@ class Verdict:
         return asdict(self)
 
 
-def judge_pairs(base, new, rule):
-    """A Verdict of one sample of pairs: frame times, ms, of equal number."""
-    spread = compute_spread(np.asarray(new) / np.asarray(base))
+def judge_pairs(ratios, rule):
+    """A Verdict of one sample of pairs: new / base."""
+    spread = compute_spread(ratios)
     if spread > rule.most_spread:
         return Verdict(UNCLEAR, f"noisy machine: ratios of runs side by side spread by "
                                 f"{_percent(spread)}, more than {_percent(rule.most_spread)}")
-    return _judge(compute_paired_change(base, new), compute_mann_whitney(base, new), rule)
+    return _judge(compute_paired_change(ratios), compute_paired_mann_whitney(ratios), rule)
+
+
+def judge_quantities(ratios, rule):
+    """{quantity: Verdict} of {quantity: [new / base]}."""
+    return {quantity: judge_pairs(values, rule) for quantity, values in ratios.items()}
 
 
 def _judge(change, test, rule):
@@ -95,6 +103,40 @@ def confirm(first, second):
             else f"{second.verdict}, {second.reason}")
     return Verdict(UNCLEAR, f"{first.verdict} at first, not when measured again: {said}",
                    *_numbers(second))
+
+
+def confirm_quantities(first, second):
+    """{quantity: Verdict} of a cell that was measured again. What was neither SLOW nor FAST at
+    first does not become so by the second sample alone."""
+    made = {}
+    for quantity, verdict in first.items():
+        again = second.get(quantity, Verdict(UNCLEAR, "not measured again"))
+        if is_change(again) and not is_change(verdict):
+            made[quantity] = verdict
+        else:
+            made[quantity] = confirm(verdict, again) if is_change(verdict) else again
+    return made
+
+
+def is_change(verdict):
+    return verdict.verdict in (SLOW, FAST)
+
+
+def combine(verdicts, means):
+    """The Verdict of a cell, with the numbers of its frame time, and the quantity that decided:
+    FRAME or a stage. verdicts: of its quantities; SLOW if one is, else FAST if one is. means: {stage:
+    ms}, of the baseline, so that of several stages the one is named whose change is the largest
+    part of a frame."""
+    frame = verdicts[FRAME]
+    for kind in (SLOW, FAST):
+        stages = [q for q, v in verdicts.items() if q != FRAME and v.verdict == kind]
+        stage = max(stages, key=lambda q: abs(verdicts[q].change) * means.get(q, 0), default=None)
+        if frame.verdict == kind:
+            return frame, stage
+        if stage:
+            reason = f"{stage}: {verdicts[stage].reason}"
+            return Verdict(kind, reason, *_numbers(frame)), stage
+    return frame, None
 
 
 def _numbers(verdict):
@@ -133,16 +175,10 @@ def find_noise(rule, others=None, calibration=None):
     return None
 
 
-def find_stage(samples):
-    """What took longer, of the stages of a frame, as one text; None if that is not known. samples:
-    {"base": {stage: [ms]}, "new": ...}; the largest growth of a median."""
-    base, new = samples.get("base") or {}, samples.get("new") or {}
-    growth = {stage: float(np.median(new[stage]) - np.median(base[stage]))
-              for stage in STAGES if new.get(stage) and base.get(stage)}
-    stage = max(growth, key=growth.get, default=None)
-    if stage is None or growth[stage] <= 0:
-        return None
-    return f"{stage} +{growth[stage]:.3g} ms"
+def describe_change(verdict):
+    """Its change and interval, in per cent."""
+    return (f"{100 * verdict.change:+.1f} % [{100 * verdict.low:+.1f}, "
+            f"{100 * verdict.high:+.1f}]")
 
 
 def _percent(share):

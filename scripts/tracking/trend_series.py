@@ -5,13 +5,15 @@ from report.series import describe_counter
 from .calibration import NONE
 from .change_points import find_change_points, find_steps
 from .shapes import is_number
-from .statistics import compute_change, compute_interval, compute_paired_change
+from .statistics import compute_interval, compute_paired_change
+from .timing import FRAME, STAGES
 
 TIME, NORMALISED, RATIO = "time.ms", "time.normalised", "time.ratio"
 TIMES = {
     TIME: ("frame time, median", "ms", 3),
     NORMALISED: ("frame time / calibration", "", 3),
     RATIO: ("frame time / baseline's", "", 4),
+    **{f"{RATIO}.{stage}": (f"{stage} / baseline's", "", 4) for stage in STAGES},
 }
 AGAINST = {"vs_reference": "Bool", "vs_full": "the full model"}
 OTHERS = {"wrong_share": ("share of wrong pixels", "", 6), "crack_pixels": ("crack pixels", "", 0)}
@@ -90,7 +92,10 @@ def _make_times(nights, cell):
         factor = sample.get("calibration") if sample and workload and workload == last else None
         intervals[TIME].append(time)
         intervals[NORMALISED].append(tuple(v / factor for v in time) if factor else None)
-        intervals[RATIO].append(_find_ratio(sample) if sample and sample.get("base") else None)
+        ratios = _find_ratios(sample) if sample and sample.get("base") else {}
+        intervals[RATIO].append(_find_interval(ratios.get(FRAME)))
+        for stage in STAGES:
+            intervals[f"{RATIO}.{stage}"].append(_find_interval(ratios.get(stage)))
     return {key: _make_band(rows) for key, rows in intervals.items() if any(rows)}
 
 
@@ -101,11 +106,17 @@ def _find_workload(night):
     return None if found == NONE else found
 
 
-def _find_ratio(sample):
-    is_paired = len(sample["base"]) == len(sample["new"])
-    compute = compute_paired_change if is_paired else compute_change
+def _find_ratios(sample):
+    """{quantity: [new / base]}; of nights from before there were several, that of the frame."""
+    pairs = [new / base for new, base in zip(sample["new"], sample["base"])]
+    return sample.get("ratios") or {FRAME: pairs}
+
+
+def _find_interval(ratios):
+    if not ratios:
+        return None
     try:
-        change = compute(sample["base"], sample["new"])
+        change = compute_paired_change(ratios)
     except OverflowError:  # no times of this world
         return None
     return 1 + change.value, 1 + change.low, 1 + change.high

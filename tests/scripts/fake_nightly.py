@@ -1,16 +1,18 @@
 """A stand-in for the program that scripts/nightly.sh measures: what it does stands in a JSON file
 beside it, PROGRAM.json, so that a test can change it from night to night.
 
-slower: share by which its frames take longer. noise: relative deviation of its frame times.
+slower: share by which queries and so frames take longer. turns: whether it can take turns. noise: relative deviation of its frame times.
 add: {counter: number added to the counter in one frame}. picture: a number added to a pixel.
 code: it ends with this code, after a line on stderr. sleep: seconds that a timed run takes.
-strategies: those it has. renderer: its OpenGL. drop: a counter that it lacks.
+strategies: those it has. tree: hash of its hierarchy. renderer: its OpenGL. drop: a counter that it lacks.
 Every call of it is a line in PROGRAM.log.
 """
 
+import contextlib
 import json
 import pathlib
 import random
+import socket
 import sys
 import time
 
@@ -22,6 +24,7 @@ import fake_nightly
 sys.exit(fake_nightly.main(__file__, sys.argv[1:]))
 """
 FRAME_MS = 20.0
+FRAMES = 10
 
 
 def add_program(path, **state):
@@ -52,6 +55,9 @@ def main(program, arguments):
         print("Strategies (--strategy):\n" + "".join(f"  {n:15}{n}\n" for n in names)
               + "\nContexts (--context):\n  auto           any")
         return 0
+    if arguments == ["run", "--help"]:
+        print("  --turns INT  a socket" if state.get("turns", True) else "no such thing")
+        return 0
     if arguments[0] == "build":
         pathlib.Path(arguments[arguments.index("-o") + 1]).write_text("tree", encoding="utf-8")
         return 0
@@ -73,14 +79,50 @@ def write_timed(folder, values, state):
     # the folder is PASS/SCENE/.STRATEGY.REPETITION.SIDE.HOST.PROCESS
     place = (folder.parts[-3], *folder.name.split(".")[1:4], state.get("seed"))
     chance = random.Random(" ".join(map(str, place)))
-    ms = FRAME_MS * (1 + state.get("slower", 0)) * (1 + chance.gauss(0, state.get("noise", 0.005)))
-    counters = {"draw_ms": {"mean": 3.0}, "query_ms": {"mean": 1.0 + ms - FRAME_MS}}
+    noise = 1 + chance.gauss(0, state.get("noise", 0.003))
+    stages = {"draw_ms": 3.0 * noise, "traversal_ms": 1.0 * noise, "wait_ms": 2.0 * noise}
+    query = FRAME_MS * noise * (1 + state.get("slower", 0)) - sum(stages.values())
+    stages = {**stages, "query_ms": query}
+    turns = Turns(values) if "--turns" in values else None
+    rows = []
+    for frame in range(FRAMES):
+        if turns:
+            turns.take(frame)
+        rows.append(f"{frame},{int(frame < 2)}," + ",".join(f"{v:.9g}" for v in stages.values()))
+    if turns:
+        turns.finish()
     folder.mkdir(parents=True)
+    case = {"strategy": values["--strategy"], "repetition": 0, "csv": "frames.csv", "error": None,
+            "summary": {"fps": 1000 / sum(stages.values()),
+                        "counters": {key: {"mean": value} for key, value in stages.items()}}}
+    (folder / "frames.csv").write_text(
+        "\n".join(["frame,warm_up," + ",".join(stages), *rows]) + "\n", encoding="utf-8")
     (folder / "run.json").write_text(json.dumps({
-        "schema_version": "1.0.0", "context": {}, "scene": {"name": "courtyard"},
-        "session": {"name": "courtyard", "frames": 10},
-        "cases": [{"strategy": values["--strategy"], "repetition": 0, "csv": None, "error": None,
-                   "summary": {"fps": 1000 / ms, "counters": counters}}]}), encoding="utf-8")
+        "schema_version": "1.0.0", "context": {},
+        "scene": {"name": "courtyard", "hash": state.get("tree", "00")},
+        "session": {"name": "courtyard", "frames": FRAMES}, "cases": [case]}), encoding="utf-8")
+
+
+class Turns:
+    """As bench/turns.h has them."""
+
+    def __init__(self, values):
+        self._frames = int(values["--turn-frames"])
+        self._end = socket.socket(fileno=int(values["--turns"]))
+        self._has_turn = False
+
+    def take(self, frame):
+        if frame % self._frames == 0:
+            self.finish()
+            with contextlib.suppress(OSError):  # the other one is gone
+                self._end.recv(1)
+            self._has_turn = True
+
+    def finish(self):
+        if self._has_turn:
+            with contextlib.suppress(OSError):
+                self._end.send(b"t")
+        self._has_turn = False
 
 
 def write_exact(folder, values, state):

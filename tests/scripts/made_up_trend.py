@@ -12,6 +12,7 @@ MACHINES = (describe_machine(CONTEXT), describe_machine(CONTEXT, "lab"))
 KEYS = tuple(machine["key"] for machine in MACHINES)
 STRATEGIES = {"bool": 24.0, "sw-b": 16.0, "coh-b": 10.0}  # ms
 SLOWER_FROM, DN_FROM, UNTIMED = 25, 40, (10, 11, 33)
+STAGES_FROM = 20  # before, only frames were compared
 WHY = "Coh(B) pulls up <b>one</b> node less"
 
 
@@ -38,6 +39,9 @@ def make_night(number, rng, machine, slower_from=SLOWER_FROM, revision=None):
                      for level_ in (level, time))
         cells[cell] = {"new": new, "base": base, "stages": {"new": {}, "base": {}},
                        "calibration": 1.5 * luck}
+        if number >= STAGES_FROM:
+            pairs = [a / b for a, b in zip(new, base)]
+            cells[cell]["ratios"] = {"frame": pairs, "draw": [v ** 2 for v in pairs]}
         is_slow = strategy == "coh-b" and number == slower_from
         if number not in UNTIMED:
             verdicts[cell]["timing"] = {

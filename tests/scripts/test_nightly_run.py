@@ -1,8 +1,6 @@
-"""scripts/nightly.sh with a stand-in for the program: nights, verdicts, exit codes, kills."""
+"""scripts/nightly.sh with a stand-in for the program: the exact tier, exit codes, kills."""
 
 import json
-import os
-import pathlib
 import signal
 import subprocess
 import sys
@@ -15,64 +13,15 @@ pytest.importorskip("PIL", reason="needs python3-pil")
 jsonschema = pytest.importorskip("jsonschema", reason="needs python3-jsonschema")
 
 import fake_nightly  # noqa: E402
+from nightly_machine import CELL, EXACT, ROOT, TIMED, Machine  # noqa: E402
 from tracking import night as night_module  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
-from tracking.history import append  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCHEMA = json.loads((ROOT / "results/night.schema.json").read_text(encoding="utf-8"))
-CELL = "courtyard/coh-b"
-TIMED = ("--cell", CELL, "--max-others", "100")  # whatever else the machine does
-EXACT = ("--no-times",)
-
-
-class Machine:
-    """A history, a program and its baseline, and nights of them."""
-
-    def __init__(self, folder):
-        self.folder, self.history, self.count = folder, folder / "history", 0
-        self.new = fake_nightly.add_program(folder / "new")
-        self.base = fake_nightly.add_program(folder / "base", seed=1)
-        (folder / "tmp").mkdir()
-        self.environment = {**os.environ, "HLODBENCH_CACHE": str(folder / "cache"),
-                            "TMPDIR": str(folder / "tmp")}
-
-    def command(self, *arguments):
-        self.count += 1
-        self.out = self.folder / f"out-{self.count}"
-        return [ROOT / "scripts/nightly.sh", "--history", self.history, "--out", self.out,
-                "--program", self.new, "--calibration", "none", *arguments]
-
-    def run(self, *arguments, **state):
-        fake_nightly.set_state(self.new, **state)
-        return subprocess.run(self.command(*arguments), env=self.environment, cwd=self.folder,
-                              capture_output=True, text=True, check=False, timeout=300)
-
-    def compare(self, *arguments, **state):
-        """A night against the baseline."""
-        return self.run(*TIMED, "--baseline-program", self.base, *arguments, **state)
-
-    def accept(self, *arguments):
-        return subprocess.run([ROOT / "scripts/nightly.sh", "accept", "--history", self.history,
-                               *arguments], env=self.environment, cwd=self.folder,
-                              capture_output=True, text=True, check=False)
-
-    def night(self):
-        return json.loads((self.out / "night.json").read_text(encoding="utf-8"))
-
-    def files(self):
-        """In the order of writing: names of the same second are in any."""
-        return sorted((p for p in self.history.rglob("*") if p.is_file()),
-                      key=lambda path: path.stat().st_mtime_ns)
-
 
 @pytest.fixture
 def machine(tmp_path):
     return Machine(tmp_path)
-
-
-def timing_of(machine):
-    return machine.night()["verdicts"][CELL]["timing"]
 
 
 # The exact tier
@@ -148,110 +97,20 @@ def test_a_damaged_row_is_named_and_the_rest_is_compared_with(machine):
     assert "20260101T000000Z-x-y.json" in done.stderr and "Problem: " in done.stdout
 
 
-# The timing tier
-
-
-def test_as_fast_is_the_same(machine):
-    done = machine.compare()
-    assert done.returncode == 0, done.stderr
-    assert timing_of(machine)["verdict"] == "SAME"
-    samples = machine.night()["timing"]["cells"][CELL]
-    assert len(samples["new"]) == len(samples["base"]) == 9 and "first" not in samples
-    assert not (machine.out / "timing-again").exists()
-
-
-def test_runs_of_both_programs_alternate(machine):
-    machine.compare()
-    folders = sorted((machine.out / "timing/courtyard").glob("coh-b.*.*/run.json"),
-                     key=lambda path: path.stat().st_mtime_ns)
-    order = [path.parent.name.split(".")[1:] for path in folders]
-    assert [int(repetition) for repetition, _ in order] == [i // 2 for i in range(18)]
-    firsts = [side for _, side in order[::2]]
-    assert all(a != b for a, b in zip(firsts, firsts[1:]))
-
-
-@pytest.mark.parametrize("share, verdict, code", [(0.1, "SLOW", 1), (-0.1, "FAST", 0)])
-def test_slower_or_faster_is_measured_again_before_it_is_said(machine, share, verdict, code):
-    done = machine.compare(slower=share)
-    assert done.returncode == code, done.stderr
-    found = timing_of(machine)
-    assert found["verdict"] == verdict and f"measured again after {verdict}" in found["reason"]
-    assert abs(found["change"] - share) < 0.01
-    assert (found["stage"] or "none").startswith("query_ms" if verdict == "SLOW" else "none")
-    samples = machine.night()["timing"]["cells"][CELL]
-    assert len(samples["first"]["new"]) == len(samples["new"]) == 9
-    assert samples["first"]["new"] != samples["new"]
-    assert (machine.out / "timing-again").is_dir()
-    jsonschema.Draft7Validator(SCHEMA).validate(machine.night())
-    if verdict == "SLOW":
-        assert "most of it in query_ms" in done.stdout
-
-
-def test_less_than_the_least_change_is_not_slow(machine):
-    assert machine.compare(slower=0.02, noise=0.001).returncode == 0
-    assert timing_of(machine)["verdict"] == "SAME"
-    assert machine.compare("--min-change", "1", slower=0.02, noise=0.001).returncode == 1
-
-
-def test_a_noisy_machine_says_so(machine):
-    done = machine.compare(slower=0.5, noise=0.4)
-    assert done.returncode == 0, done.stderr
-    assert timing_of(machine)["verdict"] == "UNCLEAR"
-    assert "noisy machine" in done.stdout
-    done = machine.compare(slower=0.5, noise=0.4)
-    assert "night 2 in a row that cannot tell" in done.stdout
-
-
-def test_other_programs_are_noise(machine):
-    busy = subprocess.Popen(["sh", "-c", "while :; do :; done"])
-    try:
-        done = machine.compare("--max-others", "0", slower=0.5)
-    finally:
-        busy.kill()
-        busy.wait()
-    assert done.returncode == 0, done.stderr
-    assert timing_of(machine)["reason"].startswith("noisy machine: other programs used")
-
-
-def test_a_strategy_that_the_baseline_lacks_cannot_be_told(machine):
-    fake_nightly.set_state(machine.base, strategies=["bool"])
-    done = machine.compare()
-    assert done.returncode == 0, done.stderr
-    assert "no such strategy" in timing_of(machine)["reason"]
-
-
-def test_without_a_baseline_nights_are_compared_with_earlier_nights(machine):
-    assert machine.run(*TIMED).returncode == 0
-    assert timing_of(machine)["reason"].endswith("found 0")
-    night = machine.night()
-    for number in range(2, 11):
-        earlier = json.loads(json.dumps({**night, "sequence": number}))
-        samples = earlier["timing"]["cells"][CELL]
-        samples["new"] = [value * (1 + 0.001 * number) for value in samples["new"]]
-        del earlier["schema"]
-        append(machine.history, night["machine"]["key"], earlier, "a")
-    assert machine.run(*TIMED).returncode == 0
-    assert timing_of(machine)["verdict"] == "SAME"
-    for _ in range(2):  # it does not become the norm by itself
-        assert machine.run(*TIMED, slower=0.1).returncode == 1
-        assert timing_of(machine)["verdict"] == "SLOW"
-        assert machine.night()["timing"]["mode"] == "history"
-        jsonschema.Draft7Validator(SCHEMA).validate(machine.night())
-    machine.accept("--why", "x", "--who", "y")
-    assert machine.run(*TIMED, slower=0.1).returncode == 0
-    assert timing_of(machine)["reason"].endswith("found 1")
-
-
-def test_the_calibration_is_measured_in_every_repetition(machine):
-    done = machine.run(*TIMED, "--calibration", "numpy")
-    assert done.returncode == 0, done.stderr
-    timing = machine.night()["timing"]
-    seconds = timing["calibration"]["seconds"]
-    assert len(seconds) == 9 and min(seconds) > 0
-    assert timing["calibration"]["workload"].startswith("numpy-1/")
-    assert timing["cells"][CELL]["calibration"] == sorted(seconds)[4]
-    machine.run(*TIMED, "--calibration", "numpy", renderer="NVIDIA H100")
-    assert machine.night()["timing"]["cells"][CELL]["calibration"] == 1.0
+def test_a_night_leaves_a_report_of_its_pictures_and_does_without(machine):
+    pytest.importorskip("jinja2", reason="needs python3-jinja2")
+    machine.run(*EXACT)
+    assert not (machine.out / "report.html").exists()
+    machine.options = ()
+    done = machine.run(*EXACT)
+    if "dygraph" in done.stderr:
+        pytest.skip("needs libjs-dygraphs")
+    text = (machine.out / "report.html").read_text(encoding="utf-8")
+    assert "courtyard" in text and "data:image/" in text
+    machine.environment["PYTHONPATH"] = str(machine.folder)
+    (machine.folder / "jinja2.py").write_text("raise ImportError(name='jinja2')", encoding="utf-8")
+    done = machine.run(*EXACT)
+    assert done.returncode == 0 and "no report.html: report.py: needs jinja2" in done.stderr
 
 
 # What cannot run

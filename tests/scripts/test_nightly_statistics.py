@@ -12,9 +12,11 @@ np = pytest.importorskip("numpy", reason="needs python3-numpy")
 import fake_run  # noqa: E402
 from tracking import statistics  # noqa: E402
 from tracking.statistics import (compute_change, compute_mann_whitney,  # noqa: E402
-                                 compute_paired_change, compute_spread)
-from tracking.timing import (FAST, SAME, SLOW, UNCLEAR, Rule, Verdict, confirm,  # noqa: E402
-                             find_noise, find_stage, judge_history, judge_pairs)
+                                 compute_paired_change, compute_paired_mann_whitney,
+                                 compute_spread)
+from tracking.timing import (FAST, FRAME, SAME, SLOW, UNCLEAR, Rule, Verdict,  # noqa: E402
+                             combine, confirm, confirm_quantities, find_noise, judge_history,
+                             judge_pairs)
 
 RULE = Rule()
 
@@ -44,6 +46,43 @@ def test_u_test_is_what_enumeration_says(levels):
         test = compute_mann_whitney(a, b)
         assert test.p == pytest.approx(enumerate_p(a, b), abs=1e-12)
         assert test.a12 == pytest.approx(count_pairs(a, b) / (n * m))
+
+
+@pytest.mark.parametrize("levels", [1, 4, 100])
+@pytest.mark.parametrize("n", [1, 2, 5, 9])
+def test_paired_u_test_is_what_exchanging_within_pairs_says(levels, n):
+    """U as of any two samples, of values from which what a pair has in common is taken off."""
+    rng = np.random.default_rng(levels * 10 + n)
+    logs = rng.integers(-levels, levels + 1, n).astype(float)
+
+    def compute_u(logs):
+        return count_pairs(-logs / 2, logs / 2)
+
+    ours = compute_u(logs)
+    others = [compute_u(logs * signs) for signs in itertools.product((1, -1), repeat=n)]
+    shares = [np.mean(np.less_equal(others, ours)), np.mean(np.greater_equal(others, ours))]
+    test = compute_paired_mann_whitney(np.exp2(logs))  # of which ties are exact
+    assert test.a12 == pytest.approx(ours / n**2)
+    assert test.p == pytest.approx(min(1, 2 * min(shares)), abs=1e-12)
+
+
+def test_paired_u_test_is_that_of_wilcoxon_for_nine_pairs():
+    """The largest sum of ranks that is significant on both sides, from the published table: 5 of
+    nine pairs at 0.05, 3 at 0.02; ours is twice the sum less the number of its terms."""
+    for negatives, largest in (((1,), 0.02), ((3,), 0.02), ((5,), 0.05)):
+        logs = np.arange(1, 10) / 100
+        logs[[rank - 1 for rank in negatives]] *= -1
+        assert compute_paired_mann_whitney(np.exp(logs)).p <= largest
+    logs[5] *= -1
+    assert compute_paired_mann_whitney(np.exp(logs)).p > 0.05
+
+
+def test_paired_u_test_of_many_is_near_the_exact_one(monkeypatch):
+    ratios = np.exp(np.random.default_rng(1).normal(0.004, 0.02, 40))
+    exact = compute_paired_mann_whitney(ratios).p
+    monkeypatch.setattr(statistics, "MOST_EXACT", 0)
+    assert 0 < exact < 1 and compute_paired_mann_whitney(ratios).p == pytest.approx(exact, rel=0.1)
+    assert compute_paired_mann_whitney(np.ones(40)).p == 1
 
 
 @pytest.mark.parametrize("n, m, u", [(4, 4, 0), (5, 5, 2), (9, 9, 17), (20, 20, 127), (10, 20, 55)])
@@ -93,11 +132,11 @@ def test_u_test_agrees_with_the_program(tmp_path):
 def test_changes_are_of_their_size_whatever_the_unit_and_what_meets_both_alike():
     rng = np.random.default_rng(1)
     base = 10 * rng.uniform(0.99, 1.01, 9)
-    change = compute_paired_change(base, base * 1.05)
+    change = compute_paired_change(base * 1.05 / base)
     assert (change.value, change.low, change.high) == pytest.approx((0.05,) * 3)
     drift = np.linspace(1, 3, 9)
     noisy = base * rng.uniform(0.99, 1.01, 9)
-    still, drifting = (compute_paired_change(base * d, noisy * d) for d in (1, drift))
+    still, drifting = (compute_paired_change((noisy * d) / (base * d)) for d in (1, drift))
     assert still.value == pytest.approx(drifting.value) and still.low < still.value < still.high
     alone = compute_change(base, noisy * 1.05)
     scaled = compute_change(base * 1000, noisy * 1050)
@@ -115,35 +154,34 @@ def test_spread_is_a_relative_standard_deviation_that_one_outlier_does_not_move(
 
 
 def pairs(change, noise=0.005, seed=1, count=9):
-    rng = np.random.default_rng(seed)
-    base = 20 * np.exp(rng.normal(0, noise, count))
-    return base, 20 * (1 + change) * np.exp(rng.normal(0, noise, count))
+    return (1 + change) * np.exp(np.random.default_rng(seed).normal(0, noise, count))
 
 
 @pytest.mark.parametrize("change, verdict", [
-    (0, SAME), (0.02, SAME), (-0.02, SAME), (0.05, SLOW), (-0.05, FAST), (0.5, SLOW)])
+    (0, SAME), (0.01, SAME), (-0.01, SAME), (0.03, SLOW), (-0.03, FAST), (0.5, SLOW)])
 def test_clear_samples_have_clear_verdicts(change, verdict):
-    assert judge_pairs(*pairs(change), RULE).verdict == verdict
+    assert judge_pairs(pairs(change), RULE).verdict == verdict
 
 
 def test_slow_and_fast_are_mirror_images():
     mirror = {SLOW: FAST, FAST: SLOW, SAME: SAME, UNCLEAR: UNCLEAR}
     for seed in range(60):
-        base, new = pairs(0.03, 0.03, seed)
-        there, back = judge_pairs(base, new, RULE), judge_pairs(new, base, RULE)
+        ratios = pairs(0.015, 0.015, seed)
+        there, back = judge_pairs(ratios, RULE), judge_pairs(1 / ratios, RULE)
+        assert there.p == back.p and there.a12 == pytest.approx(1 - back.a12)
         # the least change is relative to the other side, so that only it may differ a little
-        if abs(abs(there.change) - 0.03) > 0.002:
+        if abs(abs(there.change) - RULE.min_change) > 0.001:
             assert UNCLEAR in (there.verdict, back.verdict) or back.verdict == mirror[there.verdict]
 
 
 def test_every_verdict_has_a_reason():
-    for change, noise in itertools.product((0, 0.03, 0.1), (0.001, 0.05, 0.4)):
+    for change, noise in itertools.product((0, 0.015, 0.1), (0.001, 0.05, 0.4)):
         for seed in range(5):
-            assert judge_pairs(*pairs(change, noise, seed), RULE).reason
+            assert judge_pairs(pairs(change, noise, seed), RULE).reason
 
 
 def test_noise_is_never_slow():
-    assert judge_pairs(*pairs(1.0, 0.5), RULE).reason.startswith("noisy machine")
+    assert judge_pairs(pairs(1.0, 0.5), RULE).reason.startswith("noisy machine")
     assert "other programs" in find_noise(RULE, others=0.5)
     assert "calibration" in find_noise(RULE, others=0.0, calibration=[1, 1.5, 2])
     assert find_noise(RULE, others=0.1, calibration=[1, 1.01]) is None
@@ -158,12 +196,34 @@ def test_the_second_sample_decides(first, second, expected):
     assert made.verdict == expected and made.change == 0.1 and first in made.reason
 
 
-def test_the_stage_that_grew_most_is_named():
-    base = {"draw_ms": [1, 1, 1], "query_ms": [2, 2, 2], "wait_ms": [9, 9, 9]}
-    new = {"draw_ms": [1.1, 1, 1.1], "query_ms": [2.5, 2.4, 2.6], "wait_ms": [1, 1, 1]}
-    assert find_stage({"base": base, "new": new}) == "query_ms +0.5 ms"
-    assert find_stage({"base": new, "new": new}) is None
-    assert find_stage({"base": {}, "new": new}) is None
+def verdicts_of(**changes):
+    """SLOW, FAST or SAME by their changes."""
+    return {quantity: Verdict(SLOW if c > 0 else FAST if c < 0 else SAME, quantity, c, c, c, 0.0, 1.0)
+            for quantity, c in changes.items()}
+
+
+@pytest.mark.parametrize("changes, verdict, stage", [
+    ({"frame": 0.1, "draw": 0.2, "query": 0.3, "traversal": 0}, SLOW, "draw"),
+    ({"frame": 0.1, "draw": 0, "query": 0, "traversal": 0}, SLOW, None),
+    ({"frame": 0, "draw": 0, "query": 0, "traversal": 0.1}, SLOW, "traversal"),
+    ({"frame": 0, "draw": -0.1, "query": 0.1, "traversal": 0}, SLOW, "query"),
+    ({"frame": -0.1, "draw": -0.2, "query": 0, "traversal": 0}, FAST, "draw"),
+    ({"frame": -0.1, "draw": 0, "query": 0, "traversal": 0.1}, SLOW, "traversal"),
+    ({"frame": 0, "draw": 0, "query": 0, "traversal": 0}, SAME, None),
+    ({"frame": 0.1}, SLOW, None)])
+def test_a_cell_is_as_slow_as_its_slowest_part_and_the_stage_is_named(changes, verdict, stage):
+    """The stage is the one that adds most time, not that with the largest share."""
+    found, named = combine(verdicts_of(**changes), {"draw": 10.0, "query": 1.0, "traversal": 0.1})
+    assert (found.verdict, named) == (verdict, stage)
+    assert found.change == changes[FRAME]  # the cell's numbers are those of its frames
+    assert found.verdict == SAME or changes[FRAME] or found.reason.startswith(f"{stage}: ")
+
+
+def test_what_only_the_second_sample_shows_is_not_said():
+    first = verdicts_of(frame=0, draw=0.1, query=0.1)
+    made = confirm_quantities(first, verdicts_of(frame=0.1, draw=0.1, query=0))
+    assert {q: v.verdict for q, v in made.items()} == {"frame": SAME, "draw": SLOW, "query": SAME}
+    assert confirm_quantities(first, {})["draw"].verdict == UNCLEAR
 
 
 # Without a baseline
@@ -191,4 +251,5 @@ def test_few_nights_are_too_few():
 
 def test_only_the_last_nights_count():
     old = [[v * 2 for v in night] for night in nights(30)]
-    assert judge_history(old + nights(20), nights(1, 0, seed=3)[0], RULE).verdict == SAME
+    tonight = nights(1, 0, 0.002, seed=3)[0]
+    assert judge_history(old + nights(20, 0.002, 0.002), tonight, RULE).verdict == SAME

@@ -91,6 +91,19 @@ def test_every_number_of_the_history_is_on_the_page(tmp_path, trend):
                 assert row[0] <= row[1] <= row[2] and row[0] < row[2]
 
 
+def test_stages_beside_the_baseline_have_lines_from_when_they_were_measured(tmp_path, trend):
+    made_up_trend.write_history(tmp_path / "history")
+    trend()
+    series = data_of(page_of(tmp_path))["series"]["courtyard"]
+    frames, draws = (series[key]["coh-b"]["values"] for key in ("time.ratio", "time.ratio.draw"))
+    for i, (frame, draw) in enumerate(zip(frames, draws)):
+        if i in UNTIMED or i < made_up_trend.STAGES_FROM:
+            assert draw is None
+        else:
+            assert draw == pytest.approx(frame ** 2, rel=1e-4)
+    assert "time.ratio.query" not in series
+
+
 def test_change_points_are_where_the_history_changes(tmp_path, trend):
     made_up_trend.write_history(tmp_path / "history")
     trend()
