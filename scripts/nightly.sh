@@ -17,6 +17,9 @@
 #                      results/runs/nightly/UTCTIME-RANDOM
 #   --baseline REV     compare times with this revision, built in build/nightly/REV; without it, with
 #                      earlier nights of the same machine
+#   --bisect GOOD[..BAD]  find the commit from GOOD to BAD (HEAD) at which times changed; builds
+#                      commits in build/nightly, and adds nothing to the history. Not with
+#                      --baseline, --baseline-program, --program or --no-times
 #   --repetitions N    of the times of each cell, 9 or more (9)
 #   --no-times         only the exact tier
 #   --no-report        no report.html of the exact tier
@@ -46,8 +49,8 @@
 # Safe to kill at any moment, to run twice at once (measuring waits for its turn) and from several
 # machines into one history. stdout has the summary; all else is on stderr.
 #
-# Exit codes: 0 nothing is worse; 1 a regression: a cell is DIFFERENT or SLOW; 2 could not run, the
-# history is as it was; 130 interrupted.
+# Exit codes: 0 nothing is worse; 1 a regression: a cell is DIFFERENT or SLOW (with --bisect, BAD is
+# SLOW in some cell); 2 could not run, the history is as it was; 130 interrupted.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 # shellcheck source=scripts/lib.sh

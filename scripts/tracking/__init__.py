@@ -22,6 +22,11 @@ output       the files of a night beside the history
 summary      a night as Markdown
 exporters    a night for other tools
 change_points  where a series of nights changes its level
+bisect       which commit to try next, and on whose side one is
+bisection    the order of things when the commit of a change is looked for
+bisect_programs  programs of commits, in worktrees
+bisect_report  what is found of them, as Markdown and JSON
+commit_line  the commits from a good one to a bad one
 commits      subjects of commits
 trend        the page of the history, of trend_nights and trend_series; its parts are in page/
 simulate     how often the rule errs, from real pairs

@@ -6,6 +6,7 @@ import subprocess
 
 from sweeping import child
 
+from .commit_line import SHORT, resolve_commit, run_git
 from .errors import TrackingError
 
 PRESET = "release"
@@ -64,37 +65,35 @@ class Baseline:
     """A revision, built in ROOT/build/nightly/<its hash>, which stays until another one is wanted:
     the next night need not build it again."""
 
-    def __init__(self, root, revision):
-        """Raises TrackingError if there is no such revision."""
-        self._root = pathlib.Path(root)
-        try:
-            done = self._git("rev-parse", "--verify", "--quiet", "--end-of-options",
-                             f"{revision}^{{commit}}")
-        except OSError as error:
-            raise TrackingError(f"git: cannot be run: {error.strerror}") from None
-        if done.returncode != 0:
-            raise TrackingError(f"--baseline: expected a revision of {root}, found '{revision}'")
-        self.revision = done.stdout.strip()[:12]
+    def __init__(self, root, revision, option="--baseline"):
+        """option: what names it, in messages. Raises TrackingError if there is no such revision."""
+        self._root, self._option = pathlib.Path(root), option
+        self.revision = resolve_commit(root, revision, option)[:SHORT]
         self.folder = self._root / "build" / "nightly" / self.revision
 
-    def build(self, log):
-        """Builds it unless it is there; the program's path. Others are taken away."""
-        self._remove_others()
+    def build(self, log, keep=()):
+        """Builds it unless it is there; the program's path. Others are taken away, but not those in
+        `keep`."""
+        self._remove_others({self.folder, *(other.folder for other in keep)})
         if not (self.folder / WHOLE).is_file():
-            self._remove(self.folder)
+            self.remove()
             self.folder.parent.mkdir(parents=True, exist_ok=True)
             done = self._git("worktree", "add", "--detach", "--force", str(self.folder),
                              self.revision)
             if done.returncode != 0:
-                raise TrackingError(f"--baseline: git worktree add: {_one_line(done.stderr)}")
-        program = build_program(self.folder, log, f"baseline {self.revision}")
+                raise TrackingError(f"{self._option}: git worktree add: {_one_line(done.stderr)}")
+        program = build_program(self.folder, log, f"{self._option} {self.revision}")
         (self.folder / WHOLE).touch()
         return program
 
-    def _remove_others(self):
+    def remove(self):
+        """Takes it away."""
+        self._remove(self.folder)
+
+    def _remove_others(self, kept):
         folder = self.folder.parent
         for other in folder.iterdir() if folder.is_dir() else ():
-            if other != self.folder:
+            if other not in kept:
                 self._remove(other)
         self._git("worktree", "prune")
 
@@ -105,8 +104,7 @@ class Baseline:
         self._git("worktree", "prune")
 
     def _git(self, *arguments):
-        return subprocess.run(["git", "-C", str(self._root), *arguments], capture_output=True,
-                              text=True, check=False, stdin=subprocess.DEVNULL)
+        return run_git(self._root, *arguments)
 
 
 def _one_line(text):

@@ -11,6 +11,7 @@ import time
 from run_cells import ROOT
 
 from .accept import accept
+from .bisection import run_bisection
 from .calibration import NONE
 from .errors import TrackingError
 from .night import run_night, say
@@ -51,6 +52,7 @@ def make_run_parser():
     parser.add_argument("--cell", action="append", default=[])
     parser.add_argument("--out", type=folder)
     parser.add_argument("--baseline")
+    parser.add_argument("--bisect")
     parser.add_argument("--repetitions", type=whole(FEWEST_REPETITIONS, 9999),
                         default=FEWEST_REPETITIONS)
     parser.add_argument("--no-times", dest="timing", action="store_false")
@@ -149,18 +151,32 @@ def end_on_signals():
 
 
 def run(options):
-    """A night; prints its summary."""
-    if options.baseline and options.baseline_program:
-        raise TrackingError("--baseline and --baseline-program exclude each other")
+    """A night or a bisection; prints its summary."""
+    check(options)
     if options.out is None:
         stamp = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
         options.out = RESULTS / f"{stamp}-{secrets.token_hex(3)}"
     options.rule = Rule(min_change=options.min_change, most_spread=options.max_spread,
                         most_others=options.max_others)
-    night = run_night(options)
+    if options.bisect is None:
+        is_worse = is_regression(run_night(options))
+    else:
+        is_worse = run_bisection(options).is_slower
     print((options.out / "summary.md").read_text(encoding="utf-8"), end="")
     say(f"results: {options.out}")
-    return REGRESSION if is_regression(night) else SUCCESS
+    return REGRESSION if is_worse else SUCCESS
+
+
+def check(options):
+    """Refuses options that exclude each other."""
+    if options.baseline and options.baseline_program:
+        raise TrackingError("--baseline and --baseline-program exclude each other")
+    if options.bisect is not None:
+        for name, given in (("--baseline", options.baseline),
+                            ("--baseline-program", options.baseline_program),
+                            ("--program", options.program), ("--no-times", not options.timing)):
+            if given:
+                raise TrackingError(f"--bisect and {name} exclude each other")
 
 
 def run_accept(options):

@@ -70,11 +70,20 @@ def make_report(options, program, scenes):
 
 def make_folders(options):
     """Makes those of results and history, and refuses too little space."""
-    options.out.mkdir(parents=True, exist_ok=True)
-    if any(options.out.iterdir()):
-        raise TrackingError(f"--out: expected an empty folder or none, found {options.out} in use")
+    make_out(options.out)
     options.history.mkdir(parents=True, exist_ok=True)
-    places = [options.out, options.history] + ([] if options.program else [ROOT])
+    check_space([options.out, options.history] + ([] if options.program else [ROOT]))
+
+
+def make_out(folder):
+    """Makes the folder of results; refuses one that is in use."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if any(folder.iterdir()):
+        raise TrackingError(f"--out: expected an empty folder or none, found {folder} in use")
+
+
+def check_space(places):
+    """Refuses too little of it in one of these folders."""
     for place in places:
         free = shutil.disk_usage(place).free
         if free < LEAST_FREE:

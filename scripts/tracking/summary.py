@@ -10,11 +10,12 @@ def make_summary(night, history):
     verdict = describe_verdict(night)
     lines = [f"# Night of {night['time_utc']}: {verdict}", "",
              f"Revision `{night['revision']}` on `{night['machine']['key']}` "
-             f"({_cell(night['machine']['gl_renderer'])}), earlier nights: {len(history.nights)}.",
+             f"({escape(night['machine']['gl_renderer'])}), earlier nights: "
+             f"{len(history.nights)}.",
              "", "| Cell | exact | times | change [95 %] | why |", "|---|---|---|--:|---|"]
     for cell, verdicts in night["verdicts"].items():
         timing = verdicts["timing"] or {}
-        reason = _cell(timing.get("reason") or "not measured")
+        reason = escape(timing.get("reason") or "not measured")
         if timing.get("stage"):
             reason += f"; most of it in {timing['stage']}"
         unclear = count_unclear(history, cell) if timing.get("verdict") == "UNCLEAR" else 0
@@ -33,7 +34,7 @@ def make_summary(night, history):
     lines += ["", *_describe_timing(night["timing"])]
     if any(v["exact"]["differences"] for v in night["verdicts"].values()):
         lines += ["", "Wanted? `scripts/nightly.sh accept --why REASON`"]
-    lines += [f"\nProblem: {_cell(problem)}" for problem in history.problems]
+    lines += [f"\nProblem: {escape(problem)}" for problem in history.problems]
     return "\n".join(lines) + "\n"
 
 
@@ -71,7 +72,7 @@ def count_unclear(history, cell):
 def _describe_timing(timing):
     if not timing:
         return ["Times were not measured."]
-    against = (f"the baseline `{_cell(timing['baseline'])}`, run beside each other"
+    against = (f"the baseline `{escape(timing['baseline'])}`, run beside each other"
                if timing["mode"] == "baseline" else "earlier nights, normalised by the calibration")
     share = timing["others_share"]
     busy = "unknown" if share is None else f"{100 * share:.0f} %"
@@ -87,5 +88,6 @@ def _change(timing):
             f"{100 * timing['high']:+.1f}]")
 
 
-def _cell(text):
+def escape(text):
+    """A text for a cell of a table."""
     return str(text).replace("|", "\\|").replace("\n", " ")
