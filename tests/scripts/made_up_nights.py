@@ -4,6 +4,7 @@ import copy
 
 from tracking.history import append
 from tracking.machine import describe_machine
+from tracking.timing import Verdict
 
 CONTEXT = {"cpu_model": "A processor", "cpu_cores": 2, "compiler": "GCC 12.2.0",
            "build_type": "Release",
@@ -51,3 +52,9 @@ def make_acceptance(sequence, night, cells=(CELL,)):
 def add_night(folder, *arguments, **options):
     """Writes a night into a history; its id."""
     return append(folder, KEY, make_night(*arguments, **options), "0123456789ab").stem
+
+
+def make_verdict(kind, low=None, high=None):
+    """Of a quantity, with this interval and a change in its middle."""
+    change = None if low is None else (low + high) / 2
+    return Verdict(kind, "", change, low, high)
