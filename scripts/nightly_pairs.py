@@ -22,7 +22,7 @@ from atomic_file import write_text_atomically
 from run_cells import ROOT
 from tracking.cli import end_on_signals
 from tracking.errors import TrackingError
-from tracking.measure import CellTimes, measure_pair
+from tracking.measure import CellTimes, measure_cell
 from tracking.night import cache_folder
 from tracking.program import Program
 from tracking.simulate import SAME_BUILD
@@ -81,21 +81,17 @@ def measure(options, folder):
             print(f"repetition {repetition + 1} of {options.repetitions}: {number + 1} of "
                   f"{len(plan)}, {cell} {slowdown or 'with itself'}", file=sys.stderr)
             new = replace(same, name="slowed", environment={**os.environ, VARIABLE: slowdown})
-            place = folder / f"{repetition}.{number}"
-            sides = [(new, place / "new"), (same, place / "base")]
-            is_reversed = (repetition + plan.index((cell, slowdown))) % 2
-            first, second = measure_pair(cell, *(reversed(sides) if is_reversed else sides))
-            pair = (second, first) if is_reversed else (first, second)
-            times[cell, slowdown].add(*pair)
-        write(options.out, times, read_context(place / "new"))
+            base_first = (repetition + plan.index((cell, slowdown))) % 2 == 1
+            times[cell, slowdown].add(*measure_cell(
+                cell, new, same, folder / f"{repetition}.{number}", base_first,
+                lambda line: print(line, file=sys.stderr)))
+        write(options.out, times, folder)
 
 
-def read_context(folder):
-    return json.loads((folder / "run.json").read_text(encoding="utf-8"))["context"]
-
-
-def write(path, times, context):
-    """The file: {"context": of a run, "groups": [see tracking.simulate.Group]}."""
+def write(path, times, folder):
+    """The file: {"context": of a run of them, "groups": [see tracking.simulate.Group]}."""
+    run = next(folder.glob("*.base/run.json"))
+    context = json.loads(run.read_text(encoding="utf-8"))["context"]
     groups = [{"cell": cell, "slowdown": slowdown,
                "ratios": {q: [round(v, 6) for v in values] for q, values in found.ratios.items()},
                "means": {s: round(v, 4) for s, v in compute_stage_means(found.means["base"]).items()}}

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import timing
+from .errors import run_again_once
 
 BEGIN = b"t"  # hlodbench run --turns: whoever reads a byte has the turn
 CPU = "cpu_ms"  # of the traversing thread, across the stages
@@ -80,14 +81,15 @@ class CellTimes:
         return {**found, "ratios": self.ratios} if self.base is not None else found
 
 
-def measure_times(cells, new, base, repetitions, seed, out, calibrate, progress):
+def measure_times(cells, new, base, repetitions, seed, out, calibrate, progress, note):
     """Times of cells over `repetitions`: ({cell: CellTimes}, [seconds of the calibration]).
     base: a Program, or None.
 
     Every repetition has each cell once, in an order of chance. New and base replay it at the same
     time and take turns in it, or one after the other if one of them cannot; which begins
     alternates. calibrate: gives the seconds of the calibration, measured once a repetition, or is
-    None. progress: called with the number of each repetition, from 1.
+    None. progress: called with the number of each repetition, from 1; note: with lines of what else
+    happened.
     """
     rng = random.Random(seed)
     begins = {cell: rng.randrange(2) for cell in cells}
@@ -100,16 +102,9 @@ def measure_times(cells, new, base, repetitions, seed, out, calibrate, progress)
         order = list(cells)
         rng.shuffle(order)
         for cell in order:
-            folder = out / cell
-            name = f"{folder.name}.{repetition}"
-            if base is None:
-                times[cell].add(new.run_timed(cell, folder.with_name(f"{name}.new")))
-                continue
-            sides = [(new, folder.with_name(f"{name}.new")),
-                     (base, folder.with_name(f"{name}.base"))]
-            is_reversed = (repetition + begins[cell]) % 2
-            first, second = measure_pair(cell, *(reversed(sides) if is_reversed else sides))
-            times[cell].add(*((second, first) if is_reversed else (first, second)))
+            place = (out / cell).with_name(f"{cell.split('/')[1]}.{repetition}")
+            base_first = (repetition + begins[cell]) % 2 == 1
+            times[cell].add(*measure_cell(cell, new, base, place, base_first, note))
     return times, seconds
 
 
@@ -118,7 +113,21 @@ def take_turns(new, base):
     return base is not None and new.takes_turns and base.takes_turns
 
 
-def measure_pair(cell, first, second):
+def measure_cell(cell, new, base, place, base_first, note):
+    """Replays of one repetition: (new's, base's), or (new's, None) without base. place: what names of
+    folders begin with. note: called with a line if a program crashed and was run again."""
+    def measure(again):
+        sides = [(program, place.with_name(f"{place.name}{again}.{side}"))
+                 for program, side in ((new, "new"), (base, "base")) if program is not None]
+        if base is None:
+            return new.run_timed(cell, sides[0][1]), None
+        first, second = _measure_pair(cell, *(reversed(sides) if base_first else sides))
+        return (second, first) if base_first else (first, second)
+
+    return run_again_once(measure, note)
+
+
+def _measure_pair(cell, first, second):
     """Replays of one cell by two programs, (Program, folder) each, which take turns if they can."""
     if not take_turns(first[0], second[0]):
         return tuple(program.run_timed(cell, folder) for program, folder in (first, second))

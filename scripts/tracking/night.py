@@ -60,6 +60,14 @@ def run_night(options):
     return night
 
 
+def collect(lines):
+    """A function that says a line and adds it to `lines`."""
+    def note(line):
+        say(line)
+        lines.append(line)
+    return note
+
+
 def make_report(options, program, scenes):
     say("report of the exact tier")
     problem = write_report(options.out, program.path,
@@ -130,11 +138,12 @@ def fetch_models(options):
 
 def measure_exact(options, program, cells):
     """The exact tier: a night without sequence, timing and verdicts."""
-    values, context = {}, {}
+    values, context, crashes = {}, {}, []
     for scene in list_scenes(cells):
         strategies = strategies_of(cells, scene)
         say(f"exact values of {scene}: {', '.join(strategies)}")
-        found, data = exact.read_exact(program.run_exact(scene, strategies))
+        folder = program.run_exact(scene, strategies, collect(crashes))
+        found, data = exact.read_exact(folder)
         context = context or data["context"]
         for strategy in strategies:
             if strategy not in found:
@@ -147,7 +156,7 @@ def measure_exact(options, program, cells):
             "context": {**{key: context.get(key) for key in CONTEXT},
                         # From the history: the trend page links to what is there.
                         "results": os.path.relpath(options.out, options.history)},
-            "exact": values, "timing": None, "verdicts": {}}
+            "crashes": crashes, "exact": values, "timing": None, "verdicts": {}}
 
 
 def measure_timing(options, new, base, cells, night, history):
@@ -159,6 +168,7 @@ def measure_timing(options, new, base, cells, night, history):
     tier = TimingTier(options, new, base, night["machine"]["gl_class"] == "gpu",
                       lambda cell, workload: list_samples(cell, night, history, workload))
     results = tier.run(timed, say)
+    night["crashes"] += tier.crashes
     for cell in cells:
         result = results.get(cell) or CellResult(
             timing.Verdict(timing.UNCLEAR, "the baseline has no such strategy"), {})

@@ -10,7 +10,7 @@ from result_folder import ResultError, read_run
 from sweeping.cell import Attempt, CellFailed
 
 from .build import last_line, run
-from .errors import TrackingError
+from .errors import ProgramCrashed, TrackingError, run_again_once
 from .matrix import LATENCY, PICTURES, REFERENCE
 from .measure import read_replay
 
@@ -59,8 +59,12 @@ class Program:
         """Where run_exact() leaves its results."""
         return self.out / "exact" / scene
 
-    def run_exact(self, scene, strategies):
-        """The exact tier of a scene; its result folder."""
+    def run_exact(self, scene, strategies, note):
+        """The exact tier of a scene; its result folder. note: called with a line if the program
+        crashed and was run again."""
+        return run_again_once(lambda _: self._run_exact(scene, strategies), note)
+
+    def _run_exact(self, scene, strategies):
         folder = self.exact_folder(scene)
         names = list(dict.fromkeys([REFERENCE, *strategies]))
         with self._start(scene, names, folder, "--latency", LATENCY, "--images", PICTURES) as made:
@@ -125,8 +129,10 @@ class Started:
             self._attempt.finish()
         except CellFailed as error:
             what = "no usable OpenGL" if error.code == NO_GL else str(error)
-            raise TrackingError(f"{self._what}: {what}: {last_line(self._log)} "
-                                f"({self._log})") from None
+            kind = TrackingError
+            if error.code is not None and error.code < 0:
+                what, kind = f"hlodbench was ended by signal {-error.code}", ProgramCrashed
+            raise kind(f"{self._what}: {what}: {last_line(self._log)} ({self._log})") from None
         except OSError as error:
             raise TrackingError(f"{self.folder}: {error.strerror}") from None
 

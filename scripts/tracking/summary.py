@@ -34,6 +34,7 @@ def make_summary(night, history):
     lines += ["", *_describe_timing(night["timing"])]
     if any(v["exact"]["differences"] for v in night["verdicts"].values()):
         lines += ["", "Wanted? `scripts/nightly.sh accept --why REASON`"]
+    lines += [f"\nCrashed: {escape(line)}" for line in night.get("crashes", [])]
     lines += [f"\nProblem: {escape(problem)}" for problem in history.problems]
     return "\n".join(lines) + "\n"
 

@@ -43,6 +43,7 @@ class TimingTier:
         self._watch = OthersWatch()
         self.is_calibrated = options.calibration != calibration.NONE
         self.seconds = []  # of the calibration
+        self.crashes = []  # lines: programs that crashed and were run again
 
     @property
     def others(self):
@@ -79,7 +80,8 @@ class TimingTier:
             cells, self._new, self._base, options.repetitions, options.seed + again, folder,
             calibration.measure if self.is_calibrated else None,
             lambda n: say(f"times{' again' if again else ''}: repetition {n} of "
-                          f"{options.repetitions}, {len(cells)} cells"))
+                          f"{options.repetitions}, {len(cells)} cells"),
+            lambda line: (say(line), self.crashes.append(line)))
         self.seconds += seconds
         # A processor's workload says nothing of a GPU.
         factor = 1.0 if self._is_gpu or not seconds else statistics.median(seconds)

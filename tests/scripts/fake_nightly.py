@@ -5,13 +5,15 @@ slower: share by which queries and so frames take longer. turns: whether it can 
 add: {counter: number added to the counter in one frame}. picture: a number added to a pixel.
 code: it ends with this code, after a line on stderr. sleep: seconds that a timed run takes.
 strategies: those it has. tree: hash of its hierarchy. renderer: its OpenGL. drop: a counter that it lacks.
-Every call of it is a line in PROGRAM.log.
+crash: numbers of its runs that a signal ends, from 1. Every call of it is a line in PROGRAM.log.
 """
 
 import contextlib
 import json
+import os
 import pathlib
 import random
+import signal
 import socket
 import sys
 import time
@@ -65,6 +67,8 @@ def main(program, arguments):
     if state.get("code"):
         print("a line\nhlodbench: the reason why", file=sys.stderr)
         return state["code"]
+    if sum("--out" in call for call in read_calls(pathlib.Path(program))) in state.get("crash", []):
+        os.kill(os.getpid(), signal.SIGKILL)
     folder = pathlib.Path(values["--out"])
     if values["--latency"] == "gl":
         time.sleep(state.get("sleep", 0))

@@ -122,6 +122,29 @@ def test_times_of_another_hierarchy_are_told_apart(machine):
     assert machine.timing()["reason"].endswith("; the baseline has built another hierarchy")
 
 
+@pytest.mark.parametrize("side", ["new", "base"])
+def test_a_program_that_crashes_once_is_run_again_and_it_is_said(machine, side):
+    """Mesa's llvmpipe does so, seldom."""
+    state = {"crash": [1, 4]}  # the exact tier, too
+    if side == "base":
+        fake_nightly.set_state(machine.base, seed=1, crash=[3])
+        state = {}
+    done = machine.compare(**state)
+    assert done.returncode == 0, done.stderr
+    assert len(machine.night()["timing"]["cells"][CELL]["new"]) == 9
+    lines = [line for line in done.stdout.splitlines() if line.startswith("Crashed: ")]
+    assert all("ended by signal 9" in line and "run again" in line for line in lines)
+    assert len(lines) == len(machine.night()["crashes"]) == (2 if side == "new" else 1)
+    jsonschema.Draft7Validator(SCHEMA).validate(machine.night())
+
+
+def test_a_program_that_crashes_twice_is_no_night(machine):
+    fake_nightly.set_state(machine.base, crash=[3, 4])
+    done = machine.compare()
+    assert done.returncode == 2 and "ended by signal 9" in done.stderr.splitlines()[-1]
+    assert machine.files() == []
+
+
 def test_without_a_baseline_nights_are_compared_with_earlier_nights(machine):
     assert machine.run(*TIMED).returncode == 0
     assert machine.timing()["reason"].endswith("found 0")
