@@ -27,6 +27,8 @@ sys.exit(fake_nightly.main(__file__, sys.argv[1:]))
 """
 FRAME_MS = 20.0
 FRAMES = 10
+SLOWED = {"draw_ms": "draw", "query_ms": "query", "wait_ms": "query",
+          "traversal_ms": "traversal"}
 
 
 def add_program(path, **state):
@@ -87,6 +89,9 @@ def write_timed(folder, values, state):
     stages = {"draw_ms": 3.0 * noise, "traversal_ms": 1.0 * noise, "wait_ms": 2.0 * noise}
     query = FRAME_MS * noise * (1 + state.get("slower", 0)) - sum(stages.values())
     stages = {**stages, "query_ms": query}
+    slowed, _, percent = os.environ.get("HLODBENCH_TEST_SLOWDOWN", "").partition("=")
+    for stage in [key for key in stages if slowed == SLOWED.get(key)]:
+        stages[stage] *= 1 + float(percent) / 100
     turns = Turns(values) if "--turns" in values else None
     rows = []
     for frame in range(FRAMES):

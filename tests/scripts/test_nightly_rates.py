@@ -1,5 +1,6 @@
 """How often the rule of scripts/nightly.sh errs, in a small seeded simulation from real pairs."""
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -8,6 +9,7 @@ import pytest
 
 np = pytest.importorskip("numpy", reason="needs python3-numpy")
 
+import fake_nightly  # noqa: E402
 import made_up_nights  # noqa: E402
 from tracking import simulate as module  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
@@ -134,3 +136,30 @@ def test_too_few_pairs_are_refused(tmp_path):
     for source in (tmp_path, tmp_path / "none.json"):
         done = rates(source)
         assert done.returncode == 2 and len(done.stderr.splitlines()) == 1
+
+
+def measure_pairs(folder, *arguments, **state):
+    program = fake_nightly.add_program(folder / "hlodbench", **state)
+    return subprocess.run([sys.executable, ROOT / "scripts/nightly_pairs.py", "--out",
+                           folder / "pairs.json", "--program", program, *arguments],
+                          env={**os.environ, "HLODBENCH_CACHE": str(folder / "cache")},
+                          capture_output=True, text=True, check=False)
+
+
+def test_pairs_are_measured_of_one_program_and_of_it_slowed_down(tmp_path):
+    done = measure_pairs(tmp_path, "--same", "courtyard/bool", "--slowdown", "query=25",
+                         "--repetitions", "2")
+    assert done.returncode == 0, done.stderr
+    groups = {(g.cell, g.slowdown): g for g in read_pairs(tmp_path / "pairs.json")}
+    assert set(groups) == {("courtyard/coh-b", ""), ("courtyard/coh-b", "query=25"),
+                           ("courtyard/bool", "")}
+    for (_, slowdown), group in groups.items():
+        assert len(group) == 2 and group.means["draw"] == pytest.approx(3, rel=0.02)
+        assert np.median(group.ratios["query"]) == pytest.approx(1.25 if slowdown else 1, abs=0.02)
+    assert list(tmp_path.glob("*.tmp")) == []
+
+
+def test_pairs_want_a_program_that_takes_turns(tmp_path):
+    done = measure_pairs(tmp_path, turns=False)
+    assert done.returncode == 2 and len(done.stderr.splitlines()) == 1
+    assert not (tmp_path / "pairs.json").exists()
