@@ -24,6 +24,8 @@
 #   --no-times         only the exact tier
 #   --no-report        no report.html of the exact tier
 #   --min-change P     least change that is called SLOW or FAST, per cent (1.5)
+#   --min-traversal P  the same of the traversal alone, whose time also depends on where the compiler
+#                      puts it (as --min-change)
 #   --max-spread P     more spread of side-by-side runs or of the calibration is a noisy machine,
 #                      per cent (15)
 #   --max-others P     so is more time of the processors used by other programs, per cent (25)

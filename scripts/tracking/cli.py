@@ -59,6 +59,7 @@ def make_run_parser():
     parser.add_argument("--no-report", dest="report", action="store_false")
     for name, default in (("min-change", 1.5), ("max-spread", 15), ("max-others", 25)):
         parser.add_argument(f"--{name}", type=per_cent, default=default / 100)
+    parser.add_argument("--min-traversal", type=per_cent)
     parser.add_argument("--calibration", choices=("numpy", NONE), default="numpy")
     parser.add_argument("--machine")
     parser.add_argument("--context", choices=("auto", "egl", "osmesa"), default="auto")
@@ -156,8 +157,8 @@ def run(options):
     if options.out is None:
         stamp = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime())
         options.out = RESULTS / f"{stamp}-{secrets.token_hex(3)}"
-    options.rule = Rule(min_change=options.min_change, most_spread=options.max_spread,
-                        most_others=options.max_others)
+    options.rule = Rule(min_change=options.min_change, min_traversal=options.min_traversal,
+                        most_spread=options.max_spread, most_others=options.max_others)
     if options.bisect is None:
         is_worse = is_regression(run_night(options))
     else:

@@ -11,7 +11,7 @@ calibration took that night. Values of one night share that night's luck, so nig
 their medians say how much nights differ.
 """
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
@@ -19,10 +19,11 @@ from .statistics import (NORMAL_MAD, compute_change, compute_mann_whitney, compu
                          compute_paired_mann_whitney, compute_spread)
 
 SAME, FAST, SLOW, UNCLEAR = "SAME", "FAST", "SLOW", "UNCLEAR"
-FRAME = "frame"
+FRAME, TRAVERSAL = "frame", "traversal"
 # Of a frame, beside each other, and the columns of the frame log that are their time. Waiting for
 # results is part of handling queries: what is asked earlier is waited for longer.
-STAGES = {"draw": ("draw_ms",), "query": ("query_ms", "wait_ms"), "traversal": ("traversal_ms",)}
+STAGES = {"draw": ("draw_ms",), "query": ("query_ms", "wait_ms"),
+          TRAVERSAL: ("traversal_ms",)}
 MOST_NIGHTS = 20  # earlier nights that are compared with: the last ones
 FEWEST_NIGHTS = 10
 NIGHT_DEVIATIONS = 5  # how far out of the earlier nights' medians a night must lie; measuring again
@@ -36,6 +37,7 @@ class Rule:
     alpha: float = 0.02
     effect: float = 0.71
     min_change: float = 0.015
+    min_traversal: float | None = None  # the same of the traversal alone; None: min_change
     most_spread: float = 0.15  # of the ratios of pairs, or of the calibration
     most_others: float = 0.25  # of the processors' time, used by other programs
 
@@ -67,7 +69,11 @@ def judge_pairs(ratios, rule):
 
 def judge_quantities(ratios, rule):
     """{quantity: Verdict} of {quantity: [new / base]}."""
-    return {quantity: judge_pairs(values, rule) for quantity, values in ratios.items()}
+    rules = {}
+    if rule.min_traversal is not None:
+        rules[TRAVERSAL] = replace(rule, min_change=rule.min_traversal)
+    return {quantity: judge_pairs(values, rules.get(quantity, rule))
+            for quantity, values in ratios.items()}
 
 
 def _judge(change, test, rule):

@@ -16,7 +16,7 @@ from tracking.statistics import (compute_change, compute_mann_whitney,  # noqa: 
                                  compute_spread)
 from tracking.timing import (FAST, FRAME, SAME, SLOW, UNCLEAR, Rule, Verdict,  # noqa: E402
                              combine, confirm, confirm_quantities, find_noise, judge_history,
-                             judge_pairs)
+                             judge_pairs, judge_quantities)
 
 RULE = Rule()
 
@@ -178,6 +178,13 @@ def test_every_verdict_has_a_reason():
     for change, noise in itertools.product((0, 0.015, 0.1), (0.001, 0.05, 0.4)):
         for seed in range(5):
             assert judge_pairs(pairs(change, noise, seed), RULE).reason
+
+
+def test_the_traversal_may_have_a_least_change_of_its_own():
+    ratios = {quantity: pairs(0.03) for quantity in (FRAME, "draw", "traversal")}
+    assert {v.verdict for v in judge_quantities(ratios, RULE).values()} == {SLOW}
+    found = judge_quantities(ratios, Rule(min_traversal=0.05))
+    assert {q: v.verdict for q, v in found.items()} == {FRAME: SLOW, "draw": SLOW, "traversal": SAME}
 
 
 def test_noise_is_never_slow():
