@@ -119,6 +119,15 @@ def test_a_damaged_file_is_named_and_costs_one_night(tmp_path, kind):
     assert problem.startswith(f"{path}: ") and "\n" not in problem
 
 
+@pytest.mark.parametrize("wrong", [[], {"frame": []}, {"frame": [0.0]}, {"draw": ["1"]}, "x"])
+def test_damaged_ratios_are_named(tmp_path, wrong):
+    times = make_times()
+    times["cells"][CELL]["ratios"] = wrong
+    write(tmp_path, "b.json", json.dumps({"schema": 1, **make_night(1), "timing": times}))
+    history = read_history(tmp_path, KEY)
+    assert history.nights == [] and "ratios: expected" in history.problems[0]
+
+
 def test_no_damage_of_a_member_stops_the_reader(tmp_path):
     night = {"schema": 1, **make_night(1, timing=SLOWER), "timing": make_times()}
     add_night(tmp_path, 1)
