@@ -7,8 +7,10 @@ Commits are numbered from 0, the good one, to the last one, the bad one. Nothing
 import math
 
 from . import timing
+from .statistics import compute_paired_mann_whitney
 
 ON_GOOD, ON_BAD = "good", "bad"
+SIDE_ALPHA = 0.05
 
 
 def choose_quantity(result):
@@ -19,13 +21,14 @@ def choose_quantity(result):
     return result.decided_by
 
 
-def decide(probe, bad):
+def decide(probe, bad, ratios=()):
     """ON_GOOD, ON_BAD, or None if it cannot be told: on whose side a commit is. Both are Verdicts
     of the same quantity against the good commit, `bad` (SLOW or FAST) that of the bad one; probe
-    may be None.
+    may be None. ratios: of all pairs that were measured of it, to the good commit.
 
     A verdict that is the bad one's puts it on that side. Else its interval does, if it does not
-    contain the middle between no change and the bad one's; then SAME is on the good one's side.
+    contain the middle between no change and the bad one's, or the U test of the pairs against that
+    middle; then SAME is on the good one's side.
     """
     if probe is None or probe.change is None:
         return None
@@ -38,6 +41,10 @@ def decide(probe, bad):
         return ON_GOOD
     if low > middle:
         return ON_BAD
+    if len(ratios) > 0:
+        test = compute_paired_mann_whitney([ratio / (1 + bad.change / 2) for ratio in ratios])
+        if test.p < SIDE_ALPHA:
+            return ON_BAD if (test.a12 > 0.5) == (bad.change > 0) else ON_GOOD
     return ON_GOOD if probe.verdict == timing.SAME else None
 
 

@@ -147,9 +147,12 @@ class Run:
         results = self._measure(probe.commit.hash, self._good, cells, name, attempt)
         for cell, result in results.items():
             quantity = self._made.quantities[cell]
+            attempts = probe.cells.setdefault(cell, [])
+            pairs = [ratio for made, _ in [*attempts, (result, None)]
+                     for ratio in (made.samples.get("ratios") or {}).get(quantity, [])]
             side = decide(result.quantities.get(quantity),
-                          self._made.changes[cell].quantities[quantity])
-            probe.cells.setdefault(cell, []).append((result, side))
+                          self._made.changes[cell].quantities[quantity], pairs)
+            attempts.append((result, side))
 
     def _confirm(self):
         """Measures each commit that was found against its parent."""

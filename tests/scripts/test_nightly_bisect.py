@@ -93,6 +93,24 @@ def test_a_side_is_told_by_verdict_and_interval(kind, low, high, side, sign):
     assert decide(verdict(kind, low, high), bad) == side
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_pairs_tell_where_the_interval_does_not(sign):
+    """Of all attempts together, against the middle."""
+    bad = verdict(SLOW if sign > 0 else FAST, *sorted((0.08 * sign, 0.12 * sign)))
+    wide = verdict(UNCLEAR, -0.06, 0.06)
+
+    def pairs(*changes):
+        return [1 + sign * change / 100 for change in changes]
+
+    near_good = pairs(-6, -4, -2, -1, 0, 1, 2, 4, 6)
+    near_bad = pairs(4, 6, 8, 9, 10, 11, 12, 14, 16)
+    assert decide(wide, bad, near_good) == ON_GOOD
+    assert decide(wide, bad, near_bad) == ON_BAD
+    assert decide(wide, bad, pairs(1, 3, 5, 7, 9)) is None
+    assert decide(wide, bad, near_good[:3]) is None  # three are too few for any p below 0.05
+    assert decide(wide, bad) is None
+
+
 def test_what_was_not_measured_decides_nothing():
     assert decide(None, verdict(SLOW, 0.1, 0.2)) is None
 

@@ -53,7 +53,7 @@ def bisect(monkeypatch, tmp_path):
     cells, seed). script: {commit or (commit, base): Verdict, Verdicts of attempts, or {cell: one}}.
     """
 
-    def run(script, cells=(CELL,), **programs):
+    def run(script, cells=(CELL,), ratios=(), **programs):
         measured, programs = [], ScriptedPrograms(**programs)
 
         class Tier:
@@ -69,7 +69,8 @@ def bisect(monkeypatch, tmp_path):
                 if isinstance(said, list):
                     said = said.pop(0)
                 of_cell = said if isinstance(said, dict) else dict.fromkeys(able, said)
-                return {cell: CellResult(of_cell[cell], {}, {"frame": of_cell[cell]})
+                samples = {"ratios": {"frame": list(ratios)}}
+                return {cell: CellResult(of_cell[cell], samples, {"frame": of_cell[cell]})
                         for cell in able}
 
         monkeypatch.setattr(bisection, "TimingTier", Tier)
@@ -108,6 +109,14 @@ def test_what_cannot_be_told_is_measured_again_and_then_decided(bisect):
     assert found(made) == ["3"]
     again = [m for m in measured if m[:2] == ("2", "0")]
     assert len(again) == 2 and abs(again[0][3] - again[1][3]) > 1  # a tier uses two seeds
+
+
+def test_the_pairs_of_both_attempts_are_taken_together(bisect):
+    """Five pairs cannot have a p below 0.05; ten can."""
+    script = {**CHANGED_AT_3, "2": [DOUBTFUL, DOUBTFUL]}
+    assert found(bisect(script)[0]) == ["2", "3"]
+    script["2"] = [DOUBTFUL, DOUBTFUL]
+    assert found(bisect(script, ratios=[0.98, 0.99, 1.0, 1.01, 1.02])[0]) == ["3"]
 
 
 def test_what_cannot_be_told_twice_is_skipped_with_the_reason(bisect):
