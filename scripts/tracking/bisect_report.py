@@ -134,10 +134,12 @@ def _describe_own(culprit):
 
 def _change(result):
     """Of the frame's time, and of the stage that has most of it."""
-    if result.verdict.change is None:
+    verdict = result.verdict
+    if verdict.change is None:
         return "–"
     stage = result.as_dict()["stage"]
-    return timing.describe_change(result.verdict) + (f"; {stage}" if stage else "")
+    change = timing.describe_change(verdict.change, verdict.low, verdict.high)
+    return change + (f"; {stage}" if stage else "")
 
 
 def _commit(commit):

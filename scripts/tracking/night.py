@@ -167,8 +167,7 @@ def measure_timing(options, new, base, cells, night, history):
         say("one of the programs knows no --turns: they run one after the other, which tells less")
     tier = TimingTier(options, new, base, night["machine"]["gl_class"] == "gpu",
                       lambda cell, workload: list_samples(cell, night, history, workload))
-    results = tier.run(timed, say)
-    night["crashes"] += tier.crashes
+    results = tier.run(timed, say, collect(night["crashes"]))
     for cell in cells:
         result = results.get(cell) or CellResult(
             timing.Verdict(timing.UNCLEAR, "the baseline has no such strategy"), {})

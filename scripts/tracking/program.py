@@ -76,8 +76,8 @@ class Program:
         `hlodbench run --turns`."""
         scene, strategy = cell.split("/")
         shared = () if turns is None else ("--turns", str(turns), "--turn-frames", str(TURN_FRAMES))
-        return TimedRun(self._start(scene, [strategy], folder, "--latency", "gl", "--images",
-                                    "none", *shared, pass_fds=() if turns is None else (turns,)))
+        return self._start(scene, [strategy], folder, "--latency", "gl", "--images", "none", *shared,
+                           kind=TimedRun, pass_fds=() if turns is None else (turns,))
 
     def run_timed(self, cell, folder):
         """One replay, alone; a Replay."""
@@ -94,13 +94,13 @@ class Program:
         except (OSError, UnicodeDecodeError) as error:
             raise TrackingError(f"{self.path}: cannot be run: {error}") from None
 
-    def _start(self, scene, strategies, folder, *options, pass_fds=()):
+    def _start(self, scene, strategies, folder, *options, kind=None, pass_fds=()):
         context = [] if self.context == "auto" else ["--context", self.context]
         command = [self.path, "run", "--scene", self._hierarchy(scene), "--session",
                    self.sessions / f"{scene}.session.json", "--strategy", ",".join(strategies),
                    "--repetitions", "1", *context, *options]
         what = f"{self.name}: {scene}/{','.join(strategies)}"
-        return Started(command, folder, what, env=self.environment, pass_fds=pass_fds)
+        return (kind or Started)(command, folder, what, env=self.environment, pass_fds=pass_fds)
 
 
 class Started:
@@ -137,22 +137,13 @@ class Started:
             raise TrackingError(f"{self.folder}: {error.strerror}") from None
 
 
-class TimedRun:
+class TimedRun(Started):
     """A replay that has been started. A context manager."""
-
-    def __init__(self, started):
-        self._started = started
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *error):
-        self._started.__exit__(*error)
 
     def finish(self):
         """Waits for its end; the Replay. Raises TrackingError."""
-        self._started.finish()
-        folder = self._started.folder
+        super().finish()
+        folder = self.folder
         try:
             result = read_run(folder)
             (case,) = result.cases

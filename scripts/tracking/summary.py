@@ -1,6 +1,7 @@
 """A night as Markdown, for a CI job to show."""
 
 from .exact import describe_difference
+from .timing import describe_change
 
 MOST_DIFFERENCES = 12  # of one cell; pictures of every frame are as many lines
 
@@ -85,8 +86,7 @@ def _describe_timing(timing):
 def _change(timing):
     if timing.get("change") is None:
         return "–"
-    return (f"{100 * timing['change']:+.1f} % [{100 * timing['low']:+.1f}, "
-            f"{100 * timing['high']:+.1f}]")
+    return describe_change(timing["change"], timing["low"], timing["high"])
 
 
 def escape(text):

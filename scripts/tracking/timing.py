@@ -181,10 +181,9 @@ def find_noise(rule, others=None, calibration=None):
     return None
 
 
-def describe_change(verdict):
-    """Its change and interval, in per cent."""
-    return (f"{100 * verdict.change:+.1f} % [{100 * verdict.low:+.1f}, "
-            f"{100 * verdict.high:+.1f}]")
+def describe_change(change, low, high):
+    """A change and its interval, shares, in per cent."""
+    return f"{100 * change:+.1f} % [{100 * low:+.1f}, {100 * high:+.1f}]"
 
 
 def _percent(share):

@@ -30,7 +30,9 @@ class CellResult:
     def _describe_stage(self):
         if self.decided_by is None:
             return None
-        return f"{self.decided_by} {timing.describe_change(self.quantities[self.decided_by])}"
+        decided = self.quantities[self.decided_by]
+        return (f"{self.decided_by} "
+                f"{timing.describe_change(decided.change, decided.low, decided.high)}")
 
 
 class TimingTier:
@@ -43,21 +45,21 @@ class TimingTier:
         self._watch = OthersWatch()
         self.is_calibrated = options.calibration != calibration.NONE
         self.seconds = []  # of the calibration
-        self.crashes = []  # lines: programs that crashed and were run again
 
     @property
     def others(self):
         """Share of the processors' time that other programs used so far."""
         return self._watch.share()
 
-    def run(self, cells, say):
-        """{cell: CellResult}. say: called with lines of progress."""
-        times, factor = self._measure(cells, 0, say)
+    def run(self, cells, say, note=None):
+        """{cell: CellResult}. say: called with lines of progress; note, or say without it, with those
+        of crashes."""
+        times, factor = self._measure(cells, 0, say, note)
         results = {cell: self._judge(cell, times[cell], factor) for cell in cells}
         doubtful = [cell for cell, result in results.items() if is_doubtful(result)]
         if doubtful and not self._find_noise():
             say(f"measured again before anything is said: {', '.join(doubtful)}")
-            times, factor = self._measure(doubtful, 1, say)
+            times, factor = self._measure(doubtful, 1, say, note)
             for cell in doubtful:
                 first = results[cell]
                 results[cell] = confirm(first, self._judge(cell, times[cell], factor))
@@ -73,7 +75,7 @@ class TimingTier:
         seconds = None if self._base else self.seconds
         return timing.find_noise(self._options.rule, self.others, seconds)
 
-    def _measure(self, cells, again, say):
+    def _measure(self, cells, again, say, note):
         options = self._options
         folder = options.out / ("timing-again" if again else "timing")
         times, seconds = measure_times(
@@ -81,7 +83,7 @@ class TimingTier:
             calibration.measure if self.is_calibrated else None,
             lambda n: say(f"times{' again' if again else ''}: repetition {n} of "
                           f"{options.repetitions}, {len(cells)} cells"),
-            lambda line: (say(line), self.crashes.append(line)))
+            note or say)
         self.seconds += seconds
         # A processor's workload says nothing of a GPU.
         factor = 1.0 if self._is_gpu or not seconds else statistics.median(seconds)

@@ -12,6 +12,7 @@ from .commits import find_subjects
 from .errors import TrackingError
 from .history import KEY, list_machines, read_history
 from .shapes import is_number
+from .timing import describe_change
 from .trend_nights import describe_nights, list_lost
 from .trend_series import list_counters, make_series
 
@@ -121,6 +122,6 @@ def list_verdicts(night, described):
         numbers = [found.get(key) for key in ("change", "low", "high")]
         change = DASH
         if all(map(is_number, numbers)):
-            change = "{:+.1f} % [{:+.1f}, {:+.1f}]".format(*(100 * n for n in numbers))
+            change = describe_change(*numbers)
         rows.append((cell, exact or DASH, timing or DASH, change, why))
     return rows

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from nightly_machine import Machine
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
@@ -34,3 +35,9 @@ def run_script(tmp_path):
         )
 
     return run
+
+
+@pytest.fixture
+def machine(tmp_path):
+    """Programs that are stand-ins, a history, and nights of scripts/nightly.sh with them."""
+    return Machine(tmp_path)

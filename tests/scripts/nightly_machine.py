@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CELL = "courtyard/coh-b"
 TIMED = ("--cell", CELL, "--max-others", "100")  # whatever else the machine does
 EXACT = ("--no-times",)
+SCHEMA = json.loads((ROOT / "results/night.schema.json").read_text(encoding="utf-8"))
 
 
 class Machine:

@@ -13,15 +13,9 @@ pytest.importorskip("PIL", reason="needs python3-pil")
 jsonschema = pytest.importorskip("jsonschema", reason="needs python3-jsonschema")
 
 import fake_nightly  # noqa: E402
-from nightly_machine import CELL, EXACT, ROOT, TIMED, Machine  # noqa: E402
+from nightly_machine import CELL, EXACT, ROOT, SCHEMA, TIMED  # noqa: E402
 from tracking import night as night_module  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
-
-SCHEMA = json.loads((ROOT / "results/night.schema.json").read_text(encoding="utf-8"))
-
-@pytest.fixture
-def machine(tmp_path):
-    return Machine(tmp_path)
 
 
 # The exact tier

@@ -10,15 +10,8 @@ pytest.importorskip("PIL", reason="needs python3-pil")
 jsonschema = pytest.importorskip("jsonschema", reason="needs python3-jsonschema")
 
 import fake_nightly  # noqa: E402
-from nightly_machine import CELL, ROOT, TIMED, Machine  # noqa: E402
+from nightly_machine import CELL, SCHEMA, TIMED  # noqa: E402
 from tracking.history import append  # noqa: E402
-
-SCHEMA = json.loads((ROOT / "results/night.schema.json").read_text(encoding="utf-8"))
-
-
-@pytest.fixture
-def machine(tmp_path):
-    return Machine(tmp_path)
 
 
 def test_as_fast_is_the_same(machine):
