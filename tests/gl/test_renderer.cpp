@@ -33,8 +33,9 @@ class RendererTest : public GlTest {
 
   // The share of the way along the ray (of any length) to the triangle; below 0 for a miss. Sets
   // `unsure` when the ray passes so near an edge that rounding decides.
-  static double intersect(const glm::dvec3& eye, const glm::dvec3& ray, const glm::dvec3& a,
-                          const glm::dvec3& b, const glm::dvec3& c, bool& unsure) {
+  static double intersect(const glm::dvec3& eye, const glm::dvec3& ray,
+                          std::span<const glm::vec3, 3> corners, bool& unsure) {
+    const glm::dvec3 a = corners[0], b = corners[1], c = corners[2];
     const glm::dvec3 p = glm::cross(ray, c - a);
     const double determinant = glm::dot(b - a, p);
     const double u = glm::dot(eye - a, p) / determinant;
@@ -47,12 +48,37 @@ class RendererTest : public GlTest {
     return inside >= 0.0 ? t : -1.0;
   }
 
-  static glm::dvec3 computeRay(const Camera& camera, int x, int y) {
+  // Through (x, y) of the picture, pixels; pixel centres are at whole numbers here.
+  static glm::dvec3 computeRay(const Camera& camera, double x, double y) {
     const double tangent = std::tan(0.5 * camera.lens.fovyRad);
     const double aspect = static_cast<double>(camera.lens.width) / camera.lens.height;
     const glm::dvec3 direction(tangent * aspect * (2.0 * (x + 0.5) / camera.lens.width - 1.0),
                                tangent * (1.0 - 2.0 * (y + 0.5) / camera.lens.height), -1.0);
     return camera.pose.orientation * direction;
+  }
+
+  // What the depth buffer has for a point, 0 to 1.
+  static double computeDepth(const Camera& camera, const glm::dvec3& point) {
+    const glm::dvec4 p = camera.viewProjection * glm::dvec4(point, 1.0);
+    return 0.5 * p.z / p.w + 0.5;
+  }
+
+  // How much the depth of a triangle's plane changes between a pixel's centre and a point of the
+  // grid next to it that OpenGL moves corners to, which has GL_SUBPIXEL_BITS a pixel.
+  static double computeSnappingError(const Camera& camera, int x, int y,
+                                     std::span<const glm::vec3, 3> corners) {
+    GLint bits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+    const double step = std::ldexp(1.0, -bits);
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(corners[1] - corners[0]), glm::dvec3(corners[2] - corners[0]));
+    const auto depthAt = [&](double dx, double dy) {
+      const glm::dvec3 ray = computeRay(camera, x + dx, y + dy);
+      const glm::dvec3 eye = camera.pose.position;
+      const double t = glm::dot(glm::dvec3(corners[0]) - eye, normal) / glm::dot(ray, normal);
+      return computeDepth(camera, eye + t * ray);
+    };
+    return std::abs(depthAt(step, 0) - depthAt(0, 0)) + std::abs(depthAt(0, step) - depthAt(0, 0));
   }
 };
 
@@ -200,18 +226,22 @@ TEST_F(RendererTest, NodesCoverThePixelsThatRaysHitAndTheNearestHitDecidesTheDep
       for (int x = 0; x < kWidth; x += 2) {
         const glm::dvec3 ray = computeRay(camera, x, y);
         double nearest = 1e300;
+        std::span<const glm::vec3, 3> triangle(&corners[0], 3);
         bool unsure = false;
         for (int i = 0; i < kTriangles; ++i) {
-          const double t =
-              intersect(eye, ray, corners[3 * i], corners[3 * i + 1], corners[3 * i + 2], unsure);
-          if (t > 0.0) nearest = std::min(nearest, t);
+          const std::span<const glm::vec3, 3> candidate(&corners[3 * i], 3);
+          const double t = intersect(eye, ray, candidate, unsure);
+          if (t <= 0.0 || t >= nearest) continue;
+          nearest = t;
+          triangle = candidate;
         }
         if (unsure) continue;
         ++sure;
         ASSERT_EQ(isCovered(image, x, y), nearest < 1e300) << "pixel " << x << ' ' << y;
         if (nearest == 1e300) continue;
-        const glm::dvec4 p = camera.viewProjection * glm::dvec4(eye + nearest * ray, 1.0);
-        ASSERT_NEAR(depth[(kHeight - 1 - y) * kWidth + x], 0.5 * p.z / p.w + 0.5, 1e-5);
+        ASSERT_NEAR(depth[(kHeight - 1 - y) * kWidth + x],
+                    computeDepth(camera, eye + nearest * ray),
+                    1e-5 + computeSnappingError(camera, x, y, triangle));
       }
   }
   EXPECT_GT(sure, kWidth * kHeight / 4);
