@@ -30,6 +30,8 @@
 #                      per cent (15)
 #   --max-others P     so is more time of the processors used by other programs, per cent (25)
 #   --calibration W    numpy: a fixed workload tells how fast the processor is; none (numpy)
+#   --core C           the core of the processor that timed replays run on: its number; any; or auto:
+#                      the last one where a GPU draws, any with a software rasteriser (auto)
 #   --machine NAME     tells machines apart that look alike
 #   --context NAME     how to get OpenGL: auto, egl or osmesa (auto)
 #   --seed N           of the order of the runs (1)

@@ -20,7 +20,8 @@ from dataclasses import replace
 
 from atomic_file import write_text_atomically
 from run_cells import ROOT
-from tracking.cli import end_on_signals
+from tracking.cli import core, end_on_signals
+from tracking.core import AUTO, choose_core
 from tracking.errors import TrackingError
 from tracking.measure import CellTimes, measure_cell
 from tracking.night import cache_folder
@@ -47,6 +48,9 @@ def parse_arguments():
     parser.add_argument("--slowdown", nargs="*", default=SLOWDOWNS,
                         help="STAGE=PERCENT, with %(metavar)s of draw, query, traversal "
                              "(each by 2, 5 and 10)", metavar="STAGE")
+    parser.add_argument("--core", type=core, default=AUTO, metavar="C",
+                        help="of the processor: its number, any, or auto: one where a GPU draws "
+                             "(%(default)s)")
     parser.add_argument("--repetitions", type=int, default=16, help="(%(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="of the order (%(default)s)")
     return parser.parse_args()
@@ -72,8 +76,11 @@ def measure(options, folder):
         raise TrackingError(f"{same.path}: expected a program that knows --turns")
     plan = [(cell, SAME_BUILD) for cell in [*options.cell, *options.same]]
     plan += [(cell, slowdown) for cell in options.cell for slowdown in options.slowdown]
-    for scene in dict.fromkeys(cell.split("/")[0] for cell, _ in plan):
+    scenes = list(dict.fromkeys(cell.split("/")[0] for cell, _ in plan))
+    for scene in scenes:
         same.build_hierarchy(scene)
+    is_gpu = options.core == AUTO and same.draws_on_gpu(scenes[0])
+    same = replace(same, core=choose_core(options.core, is_gpu))
     times = {entry: CellTimes(base=[]) for entry in plan}
     rng = random.Random(options.seed)
     for repetition in range(options.repetitions):

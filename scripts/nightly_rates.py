@@ -4,12 +4,14 @@
 Nights with a baseline are simulated by the rule that judges real ones, from measured pairs of
 replays. From a file of scripts/nightly_pairs.py (that of results/reference by default): nights of
 the same build (A/A), and of programs that were slowed down. From a history: of its own nights, as
-if nothing had changed, and with all times made longer. Nothing is run.
+if nothing had changed, and with all times made longer; so, too, from a file that has no slowed down
+programs. Nothing is run.
 
 Exit codes: 0 done; 2 wrong usage or too few pairs.
 """
 
 import argparse
+import math
 import pathlib
 import sys
 
@@ -22,6 +24,7 @@ from tracking.timing import FAST, SAME, SLOW, UNCLEAR, Rule
 
 PAIRS = ROOT / "results" / "reference" / "llvmpipe" / "nightly" / "pairs.json"
 MADE_UP = (0.02, 0.05, 0.10)
+ALL = "all"  # times, of whatever stage
 FEWEST = 9  # pairs in all
 
 
@@ -46,10 +49,14 @@ def read_groups(source):
         groups = read_pairs(source)
         names = dict.fromkeys(g.slowdown for g in groups if g.slowdown != SAME_BUILD)
         slowed = {name: [g for g in groups if g.slowdown == name] for name in names}
-        return [g for g in groups if g.slowdown == SAME_BUILD], slowed
-    same = read_history_groups(source)
-    slowed = {f"all={100 * share:g}": [slow_down(g, f"all={100 * share:g}", share) for g in same] for share in MADE_UP}
-    return same, slowed
+        same = [g for g in groups if g.slowdown == SAME_BUILD]
+        if slowed:
+            return same, slowed
+    else:
+        same = read_history_groups(source)
+    names = {f"{ALL}={100 * share:g}": share for share in MADE_UP}
+    return same, {name: [slow_down(group, name, share) for group in same]
+                  for name, share in names.items()}
 
 
 def main():
@@ -97,9 +104,10 @@ def print_slowed(slowed, options):
     for name, groups in slowed.items():
         for repetitions, least, setting, rule in list_rules(options):
             nights = simulate(groups, setting, rule)
+            stage = name.split("=")[0]
+            named = math.nan if stage == ALL else share_of_stage(nights, SLOW, stage)
             print_row(describe_slowdown(name), sum(map(len, groups)), repetitions, f"{least:g} %",
-                      share_of_cells(nights, SLOW), share_of_cells(nights, FAST),
-                      share_of_stage(nights, SLOW, name.split("=")[0]))
+                      share_of_cells(nights, SLOW), share_of_cells(nights, FAST), named)
 
 
 def describe_slowdown(name):

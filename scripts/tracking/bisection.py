@@ -10,6 +10,7 @@ from .bisect import ON_BAD, ON_GOOD, Search, choose_quantity, decide, search_all
 from .bisect_programs import Programs
 from .bisect_report import write_bisection
 from .calibration import NONE
+from .core import AUTO
 from .commit_line import Commit, list_line
 from .errors import TrackingError
 from .lock import MachineLock
@@ -73,6 +74,7 @@ class TierOptions:
     repetitions: int
     seed: int
     out: pathlib.Path
+    core: int | str  # as the option --core
     calibration: str = NONE  # pairs do without
 
 
@@ -88,7 +90,7 @@ def run_bisection(options):
         programs = Programs(options.out, list_scenes(cells), options.context, say,
                             [line[0], line[-1]])
         try:
-            Run(made, programs, options.out).find(cells)
+            Run(made, programs, options).find(cells)
         finally:
             programs.remove_others([line[0].hash])
         write_bisection(options.out, made)
@@ -96,10 +98,12 @@ def run_bisection(options):
 
 
 class Run:
-    """The measuring of a Bisection, which it fills in. out: a folder for results."""
+    """The measuring of a Bisection, which it fills in. options: those of nightly.sh."""
 
-    def __init__(self, made, programs, out):
-        self._made, self._programs, self._out = made, programs, out
+    def __init__(self, made, programs, options):
+        self._made, self._programs = made, programs
+        self._out, self._core = options.out, options.core
+        self._is_gpu = None if options.core == AUTO else False  # None: not known yet
         self._good = made.line[0].hash
         self._searches = {}
 
@@ -182,13 +186,15 @@ class Run:
         known = set(base.list_strategies()) & set(new.list_strategies())
         able = [cell for cell in cells if cell.split("/")[1] in known]
         options = TierOptions(self._made.rule, self._made.repetitions,
-                              self._made.seed + SEEDS * attempt, self._out / name)
+                              self._made.seed + SEEDS * attempt, self._out / name, self._core)
         if not take_turns(new, base):
             say(f"{name}: one of the programs knows no --turns: they run one after the other, "
                 "which tells less")
         results = {}
         if able:
-            tier = TimingTier(options, new, base, False, None)
+            if self._is_gpu is None:
+                self._is_gpu = new.draws_on_gpu(able[0].split("/")[0])
+            tier = TimingTier(options, new, base, self._is_gpu, None)
             results = tier.run(able, lambda text: say(f"{name}: {text}"))
         return {cell: results.get(cell, LACKING) for cell in cells}
 

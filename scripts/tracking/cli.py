@@ -13,6 +13,7 @@ from run_cells import ROOT
 from .accept import accept
 from .bisection import run_bisection
 from .calibration import NONE
+from .core import ANY, AUTO, choose_core
 from .errors import TrackingError
 from .night import run_night, say
 from .summary import is_regression
@@ -61,6 +62,7 @@ def make_run_parser():
         parser.add_argument(f"--{name}", type=per_cent, default=default / 100)
     parser.add_argument("--min-traversal", type=per_cent)
     parser.add_argument("--calibration", choices=("numpy", NONE), default="numpy")
+    parser.add_argument("--core", type=core, default=AUTO)
     parser.add_argument("--machine")
     parser.add_argument("--context", choices=("auto", "egl", "osmesa"), default="auto")
     parser.add_argument("--seed", type=whole(0, 2**53 - 1), default=1)
@@ -103,6 +105,11 @@ def whole(low, high):
                                              f"not '{text}'")
         return int(text)
     return convert
+
+
+def core(text):
+    """The type of --core."""
+    return text if text in (AUTO, ANY) else whole(0, 9999)(text)
 
 
 def per_cent(text):
@@ -169,7 +176,8 @@ def run(options):
 
 
 def check(options):
-    """Refuses options that exclude each other."""
+    """Refuses options that exclude each other, and a core that there is not."""
+    choose_core(options.core, False)
     if options.baseline and options.baseline_program:
         raise TrackingError("--baseline and --baseline-program exclude each other")
     if options.bisect is not None:

@@ -10,13 +10,16 @@ from result_folder import ResultError, read_run
 from sweeping.cell import Attempt, CellFailed
 
 from .build import last_line, run
+from .core import on_core
 from .errors import ProgramCrashed, TrackingError, run_again_once
+from .machine import is_software
 from .matrix import LATENCY, PICTURES, REFERENCE
 from .measure import read_replay
 
 NO_GL = 3
 STRATEGY = re.compile(r"^  ([a-z][a-z0-9-]*) ", re.MULTILINE)
 TURN_FRAMES = 8
+PROBE_SIZE = "64x48"  # pixels
 
 
 @dataclass(frozen=True)
@@ -30,6 +33,7 @@ class Program:
     sessions: pathlib.Path
     context: str = "auto"
     environment: dict | None = None  # of its runs; None: ours
+    core: int | None = None  # of the processor, for timed runs; None: any
 
     def build_hierarchy(self, scene):
         """Makes cache/SCENE.hlod, unless it is there and up to date."""
@@ -76,13 +80,26 @@ class Program:
         `hlodbench run --turns`."""
         scene, strategy = cell.split("/")
         shared = () if turns is None else ("--turns", str(turns), "--turn-frames", str(TURN_FRAMES))
-        return self._start(scene, [strategy], folder, "--latency", "gl", "--images", "none", *shared,
-                           kind=TimedRun, pass_fds=() if turns is None else (turns,))
+        with on_core(self.core):
+            return self._start(scene, [strategy], folder, "--latency", "gl", "--images", "none",
+                               *shared, kind=TimedRun, pass_fds=() if turns is None else (turns,))
 
     def run_timed(self, cell, folder):
         """One replay, alone; a Replay."""
         with self.start_timed(cell, folder) as started:
             return started.finish()
+
+    def draws_on_gpu(self, scene):
+        """Whether its OpenGL does, seen by a small replay of a scene."""
+        folder = self.out / "probe" / self.name
+        with self._start(scene, [REFERENCE], folder, "--latency", "gl", "--images", "none", "--size",
+                         PROBE_SIZE) as made:
+            made.finish()
+        try:
+            gl = read_run(folder, frames=False).data["context"]["gl"]
+        except (ResultError, KeyError) as error:
+            raise TrackingError(f"{folder}: expected an OpenGL context: {error}") from None
+        return not is_software(gl["renderer"])
 
     def _hierarchy(self, scene):
         return self.cache / f"{scene}.hlod"

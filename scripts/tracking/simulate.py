@@ -73,9 +73,10 @@ def read_history_groups(folder, fewest=9):
 
 
 def slow_down(group, slowdown, share):
-    """The group with all its times made longer by a share."""
-    return Group(group.cell, slowdown, {q: v * (1 + share) for q, v in group.ratios.items()},
-                 group.means)
+    """The group with all its times made longer by a share, from what their median is: what chance
+    left in so few pairs would be a change, too."""
+    return Group(group.cell, slowdown,
+                 {q: v / np.median(v) * (1 + share) for q, v in group.ratios.items()}, group.means)
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,10 @@
 """The timing tier: measures cells, judges them, and measures again what seems to have changed."""
 
 import statistics
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 
 from . import calibration, timing
+from .core import choose_core
 from .load import OthersWatch
 from .measure import measure_times
 
@@ -40,7 +41,10 @@ class TimingTier:
     nights, of the same workload of the calibration unless that is None; unused with a baseline."""
 
     def __init__(self, options, new, base, is_gpu, find_norm):
-        self._options, self._new, self._base = options, new, base
+        self.core = choose_core(options.core, is_gpu)
+        self._options = options
+        self._new, self._base = (program and replace(program, core=self.core)
+                                 for program in (new, base))
         self._is_gpu, self._find_norm = is_gpu, find_norm
         self._watch = OthersWatch()
         self.is_calibrated = options.calibration != calibration.NONE
@@ -136,6 +140,7 @@ def describe_tier(tier, results, options, base, turn_frames):
     return {
         "mode": "baseline" if base else "history", "repetitions": options.repetitions,
         "seed": options.seed, "baseline": revision, "turn_frames": turn_frames,
+        "core": tier.core,
         "calibration": {"workload": (calibration.WORKLOAD if tier.is_calibrated
                                      else calibration.NONE), "seconds": tier.seconds or [1.0]},
         "others_share": tier.others, "rule": asdict(options.rule),

@@ -5,7 +5,8 @@ slower: share by which queries and so frames take longer. turns: whether it can 
 add: {counter: number added to the counter in one frame}. picture: a number added to a pixel.
 code: it ends with this code, after a line on stderr. sleep: seconds that a timed run takes.
 strategies: those it has. tree: hash of its hierarchy. renderer: its OpenGL. drop: a counter that it lacks.
-crash: numbers of its runs that a signal ends, from 1. Every call of it is a line in PROGRAM.log.
+crash: numbers of its runs that a signal ends, from 1. Every call of it is a line in PROGRAM.log, and in
+PROGRAM.cores the cores of the processor that it might run on.
 """
 
 import contextlib
@@ -46,13 +47,25 @@ def set_state(path, **state):
 
 def read_calls(path):
     """The arguments of its calls."""
-    log = path.with_name(path.name + ".log")
-    return [json.loads(line) for line in log.read_text(encoding="utf-8").splitlines()]
+    return read_lines(path.with_name(path.name + ".log"))
+
+
+def read_timed_cores(path):
+    """Of each of its timed replays, the cores of the processor."""
+    cores = read_lines(path.with_name(path.name + ".cores"))
+    return [allowed for call, allowed in zip(read_calls(path), cores)
+            if "gl" in call and "--size" not in call]
+
+
+def read_lines(path):
+    return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
 
 
 def main(program, arguments):
     with open(program + ".log", "a", encoding="utf-8") as log:
         log.write(json.dumps(arguments) + "\n")
+    with open(program + ".cores", "a", encoding="utf-8") as log:
+        log.write(json.dumps(sorted(os.sched_getaffinity(0))) + "\n")
     state = json.loads(pathlib.Path(program + ".json").read_text(encoding="utf-8"))
     if arguments[0] == "list":
         names = state.get("strategies", STRATEGIES)
@@ -73,7 +86,8 @@ def main(program, arguments):
         os.kill(os.getpid(), signal.SIGKILL)
     folder = pathlib.Path(values["--out"])
     if values["--latency"] == "gl":
-        time.sleep(state.get("sleep", 0))
+        if "--size" not in values:  # no timed one, but a probe
+            time.sleep(state.get("sleep", 0))
         write_timed(folder, values, state)
     else:
         write_exact(folder, values, state)
@@ -107,7 +121,8 @@ def write_timed(folder, values, state):
     (folder / "frames.csv").write_text(
         "\n".join(["frame,warm_up," + ",".join(stages), *rows]) + "\n", encoding="utf-8")
     (folder / "run.json").write_text(json.dumps({
-        "schema_version": "1.0.0", "context": {},
+        "schema_version": "1.0.0",
+        "context": {"gl": {"renderer": state.get("renderer", "llvmpipe")}},
         "scene": {"name": "courtyard", "hash": state.get("tree", "00")},
         "session": {"name": "courtyard", "frames": FRAMES}, "cases": [case]}), encoding="utf-8")
 

@@ -16,6 +16,7 @@ pytest.importorskip("PIL", reason="needs python3-pil")
 import fake_nightly  # noqa: E402
 from nightly_machine import CELL, ROOT  # noqa: E402
 from tracking.commit_line import list_line  # noqa: E402
+from tracking.core import list_cores  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
 
 CMAKE = """#!/bin/sh
@@ -142,6 +143,15 @@ def test_no_change_is_said_and_nothing_is_searched(repository):
     assert "no cell is found to have changed" in done.stdout.splitlines()[0]
     assert f"| {CELL} | SAME |" in done.stdout
     assert repository.data()["probes"] == [] and repository.cell()["candidates"] == []
+
+
+def test_on_a_gpu_all_have_the_same_core(repository):
+    good = repository.commit("first", renderer="NVIDIA H200/PCIe/SSE2")
+    repository.commit("second", renderer="NVIDIA H200/PCIe/SSE2")
+    assert repository.bisect(good).returncode == 0
+    program = repository.root / f"build/nightly/{good[:12]}/build/release/bench/hlodbench"
+    assert {tuple(cores) for cores in fake_nightly.read_timed_cores(program)} == {
+        (list_cores()[-1],)}
 
 
 def test_killed_in_the_middle_the_next_one_works(repository):

@@ -1,5 +1,6 @@
 """How often the rule of scripts/nightly.sh errs, in a small seeded simulation from real pairs."""
 
+import json
 import os
 import pathlib
 import subprocess
@@ -12,6 +13,7 @@ np = pytest.importorskip("numpy", reason="needs python3-numpy")
 import fake_nightly  # noqa: E402
 import made_up_nights  # noqa: E402
 from tracking import simulate as module  # noqa: E402
+from tracking.core import list_cores  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
 from tracking.history import append  # noqa: E402
 from tracking.simulate import (SAME_BUILD, Group, Setting, read_history_groups,  # noqa: E402
@@ -157,6 +159,23 @@ def test_pairs_are_measured_of_one_program_and_of_it_slowed_down(tmp_path):
         assert len(group) == 2 and group.means["draw"] == pytest.approx(3, rel=0.02)
         assert np.median(group.ratios["query"]) == pytest.approx(1.25 if slowdown else 1, abs=0.02)
     assert list(tmp_path.glob("*.tmp")) == []
+
+
+def test_pairs_of_a_program_that_draws_on_a_gpu_have_one_core(tmp_path):
+    done = measure_pairs(tmp_path, "--same", "courtyard/bool", "--slowdown", "--repetitions", "1",
+                         renderer="NVIDIA H200/PCIe/SSE2")
+    assert done.returncode == 0, done.stderr
+    cores = fake_nightly.read_timed_cores(tmp_path / "hlodbench")
+    assert len(cores) == 4 and set(map(tuple, cores)) == {(list_cores()[-1],)}
+
+
+def test_what_has_no_slowed_down_pairs_is_made_longer(tmp_path):
+    groups = [{"cell": "courtyard/bool", "slowdown": "", "means": {"draw": 1.0},
+               "ratios": {"frame": [1.001, 0.999, 1.0] * 3, "draw": [1.001, 0.999, 1.0] * 3}}]
+    (tmp_path / "a.json").write_text(json.dumps({"groups": groups}), encoding="utf-8")
+    done = rates(tmp_path / "a.json", "--nights", "3")
+    assert done.returncode == 0, done.stderr
+    assert "| all by 5 % | 9 | 9 | 1.5 % | 100 % | 0 % | – |" in done.stdout
 
 
 def test_pairs_want_a_program_that_takes_turns(tmp_path):
