@@ -65,7 +65,7 @@ TEST(Winding, OfAMoebiusStripOrASoupIsNot) {
 
 // Wherever the one bad face lies: the edges within a chunk and between chunks are found.
 TEST(Winding, OneTurnedOrRepeatedFaceSpoilsItsObject) {
-  const TriangleMesh good = testing::bumpySphere(40);
+  const TriangleMesh good = testing::bumpySphere(24);
   for (std::size_t i = 0; i < good.triangles.size(); i += 37) {
     TriangleMesh mesh = good;
     std::swap(mesh.triangles[i].y, mesh.triangles[i].z);
