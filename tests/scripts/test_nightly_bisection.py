@@ -2,6 +2,7 @@
 to "4" (bad)."""
 
 import json
+import types
 
 import pytest
 
@@ -13,6 +14,7 @@ from made_up_nights import make_verdict as verdict  # noqa: E402
 from tracking import bisection  # noqa: E402
 from tracking.bisect_report import as_data, make_summary  # noqa: E402
 from tracking.commit_line import Commit  # noqa: E402
+from tracking.core import ANY  # noqa: E402
 from tracking.errors import TrackingError  # noqa: E402
 from tracking.timing import SAME, SLOW, UNCLEAR, Rule, Verdict  # noqa: E402
 from tracking.timing_tier import CellResult  # noqa: E402
@@ -76,7 +78,8 @@ def bisect(monkeypatch, tmp_path):
         monkeypatch.setattr(bisection, "TimingTier", Tier)
         line = [Commit(str(n), f"subject {n}", str(n - 1) if n else None) for n in range(5)]
         made = bisection.Bisection(line, Rule(), 9, 7)
-        bisection.Run(made, programs, tmp_path).find(cells)
+        options = types.SimpleNamespace(out=tmp_path, core=ANY)
+        bisection.Run(made, programs, options).find(cells)
         json.dumps(as_data(made))
         return made, programs, measured
 
